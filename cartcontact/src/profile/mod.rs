@@ -24,9 +24,9 @@ use crate::quadrature::Rule;
 /// Programs call [`gap`](Self::gap), [`approach`](Self::approach) and [its slope](Self::approach_slope),
 /// [`load_integral`](Self::load_integral), [`log_kernel`](Self::log_kernel),
 /// [`pressure_kernel`](Self::pressure_kernel), [`radius`](Self::radius), [`radii`](Self::radii) and
-/// [`max_radius`](Self::max_radius). The methods after `max_radius` serve the solver, and
-/// [`Contact::new`](crate::Contact::new) calls [`check`](Self::check). A profile of your own provides the six functions
-/// of a radius, from `gap` to `pressure_kernel`, [`radius_within`](Self::radius_within) and `max_radius`, and
+/// [`max_radius`](Self::max_radius). All others serve the solver, and [`Contact::new`](crate::Contact::new) calls
+/// [`check`](Self::check). A profile of your own provides the six functions of a radius, from `gap` to
+/// `pressure_kernel`, [`radius_within`](Self::radius_within) and `max_radius`, and
 /// [`highest_exponent`](Self::highest_exponent) if it has powers above the 64th. Memory integrals rely on a gap that is
 /// smooth between r = 0 and `max_radius`: pressures are off by some 1e-9 where its curvature jumps, as in a quadratic
 /// spline, and by some 1e-7 where its slope jumps.
