@@ -84,3 +84,22 @@ fn roundings_do_not_add_up_behind_a_steep_rise() -> Result<(), Failure> {
     check_behind_a_rise::<f64>()?;
     check_behind_a_rise::<f32>()
 }
+
+/// Between two neighbouring times there is no third that a step could be divided at.
+#[test]
+fn a_jump_is_passed_once_where_the_next_row_follows_at_once() -> Result<(), Failure> {
+    for k in 1..=100 {
+        let knot = 0.037 * f64::from(k);
+        let load = PiecewiseLinear::new([(0.0, 10.0), (knot, 10.0), (knot, 30.0)])?;
+        let contact = joint(Patellofemoral, 0.5, Announced::curved(load));
+        let a = contact.at(knot)?.radius();
+        let radii = [1e-1, 1e-3, 1e-5].map(|depth| a * (1.0 - depth));
+        for times in [[knot, knot.next_up()], [knot.next_down(), knot]] {
+            for Value { row, r, found, expected, edge, .. } in values(&contact, &times, &radii, 1)? {
+                let error = ulps(found, expected.into(), f64::EPSILON);
+                assert!(error <= ALLOWED * edge, "{knot}, row {row}, r = {r}: {error} ulp of {edge}");
+            }
+        }
+    }
+    Ok(())
+}

@@ -138,6 +138,12 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
     /// Continues along the halves of a step, or only shortens it if they do not add what the whole does.
     fn advance_in_halves(&mut self, force: &ForceSeries<T>, pace: &mut Pace<T>) {
         let middle = self.now.time + force.duration() * T::constant(0.5);
+        if middle <= self.now.time || middle >= force.end() {
+            // The middle of neighbouring times is one of them, and a load that jumps there would do so twice.
+            self.advance_smooth(force);
+            pace.double();
+            return;
+        }
         let mut halves = self.clone();
         halves.advance_smooth(&self.force_series(middle));
         if halves.now.radius <= self.transition.reach && force.duration() > pace.shortest.length() {
