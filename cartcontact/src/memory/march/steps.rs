@@ -31,6 +31,9 @@ const MOST_HALVINGS: u32 = 2048;
 const SHORTEST_SHARE: f64 = 1.0 / 1_048_576.0;
 
 /// The length of steps.
+///
+/// Lengths carry no derivatives: where steps end within a history is not to depend on the time asked for. Ends that move
+/// across a kink, of which no knot tells, would change what a step misses of it.
 struct Pace<T> {
     step: T,
     /// The shortest length of a step.
@@ -46,6 +49,7 @@ struct Pace<T> {
 
 impl<T: Scalar> Pace<T> {
     fn over(duration: T, end: T) -> Self {
+        let [duration, end] = [duration, end].map(|time| T::constant(time.value()));
         let least = least_step(end);
         let shortest = Shortest::of((duration * T::constant(SHORTEST_SHARE)).max(least), u32::MAX);
         Self { step: duration, shortest, least, halvings: MOST_HALVINGS, follows_given_up: false }
