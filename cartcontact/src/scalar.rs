@@ -30,9 +30,10 @@ use crate::numbers::bits::nearest_integer;
 /// - with respect to the coefficient of rⁿ, also those of radius and approach, where aⁿ⁺⁴ comes near the end of the
 ///   format, as in `f32` in µm for r⁶ and higher powers: NaN;
 /// - those with respect to a parameter that changes a user-defined force strongly while the force itself hardly varies,
-///   such as b in F (1 − b e^(−t/τ)) at b = 0 with a short τ, or bends a force whose value is straight, such as p in
-///   F t^p at p = 1 (off by 3e-5), because the values alone decide how closely a force is followed. A knot where the
-///   parameter begins to act and some after it, a small b, or a p next to 1 remedy that.
+///   such as b in F (1 − b e^(−t/τ)) at b = 0 with a short τ, or bends a force whose value is straight or a parabola,
+///   such as p in F t^p at p = 1 (off by 3e-5) or 2 (off by 2e-9, second ones by 1e-7), because the values alone decide
+///   how closely a force is followed. A knot where the parameter begins to act and some after it, a small b, or a p next
+///   to 1 or 2 remedy that.
 ///
 /// # Examples
 ///
