@@ -22,8 +22,8 @@ use crate::numbers::bits::nearest_integer;
 /// - where χ = 0, under a load that is not straight between knots: second ones, and first ones with respect to χ unless
 ///   the force is constant;
 /// - first ones with respect to r next to the axis, where they vanish: they may be off by as much as ε P/a;
-/// - under loads below some 1e-200 N, or 1e-30 N in `f32`, also those of the approach: squares on the way leave the
-///   format; second ones in `f64` below 1e-75 N and above 1e75 N, too, where fourth powers do;
+/// - under loads below some 1e-200 N, or in `f32` below 1e-30 N and above 1e15 N, also those of the approach: squares on
+///   the way leave the format; second ones in `f64` below 1e-75 N and above 1e75 N, too, where fourth powers do;
 /// - with respect to m, also those of radius and approach, where m is outside 1e-150 to 1e150, or 1e-17 to 1e18 in
 ///   `f32`, and second ones in `f64` outside 1e-75 to 1e75: powers of 1/m leave the format, and the derivatives may be
 ///   zero or off by a factor as well as NaN. In SI units m is 1e14 to 1e17;
