@@ -144,6 +144,12 @@ pub(crate) fn has_no_derivatives<T: Scalar>() -> bool {
     is_same::<T, f64>() || is_same::<T, f32>()
 }
 
+/// The value alone, as a number without derivatives.
+#[inline(always)]
+pub(crate) fn without_derivatives<T: Scalar>(x: T) -> T {
+    T::constant(x.value())
+}
+
 /// Whether a number is zero and cannot carry a derivative.
 #[inline]
 pub(crate) fn is_plain_zero<T: Scalar>(x: T) -> bool {
@@ -156,7 +162,7 @@ pub(crate) fn raised_to_zero<T: Scalar>(x: T) -> T {
     if has_no_derivatives::<T>() {
         x.max(T::zero())
     } else if x < T::zero() {
-        x - T::constant(x.value())
+        x - without_derivatives(x)
     } else {
         x
     }

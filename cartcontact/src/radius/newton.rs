@@ -29,7 +29,7 @@ use super::{beyond, needs_search};
 use crate::Scalar;
 use crate::numbers::binary::{estimated_root_of_quotient, scale, split};
 use crate::profile::RadiusError;
-use crate::scalar::{has_no_derivatives, lesser};
+use crate::scalar::{has_no_derivatives, lesser, without_derivatives};
 
 /// Solves J(a) = `target` on (0, `limit`] for a gap of the terms (C, n), in any order.
 ///
@@ -161,10 +161,6 @@ const HALVINGS: usize = 63;
 /// They follow from the last steps alone, each of which gains an order. Far from the root they need not be numbers: they
 /// are quotients whose divisor is a square, and what is not a number once would remain so.
 const NEAR: f64 = 0.1;
-
-fn without_derivatives<T: Scalar>(a: T) -> T {
-    T::constant(a.value())
-}
 
 fn iterate<T: Scalar>(
     target: T,

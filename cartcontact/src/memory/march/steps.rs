@@ -19,6 +19,7 @@ use crate::load::{ForceSeries, Load, Shortest, least_step, rounding_within_load}
 use crate::memory::degree::condition_of_radius;
 use crate::memory::fading::Fading;
 use crate::memory::stretch::Course;
+use crate::scalar::without_derivatives;
 use crate::{GapProfile, Scalar};
 
 /// The most halvings of steps between knots because of their impulse, which may simply be that of another load. With 32
@@ -49,7 +50,7 @@ struct Pace<T> {
 
 impl<T: Scalar> Pace<T> {
     fn over(duration: T, end: T) -> Self {
-        let [duration, end] = [duration, end].map(|time| T::constant(time.value()));
+        let [duration, end] = [duration, end].map(without_derivatives);
         let least = least_step(end);
         let shortest = Shortest::of((duration * T::constant(SHORTEST_SHARE)).max(least), u32::MAX);
         Self { step: duration, shortest, least, halvings: MOST_HALVINGS, follows_given_up: false }
