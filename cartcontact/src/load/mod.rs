@@ -211,8 +211,7 @@ pub trait Load<T: Scalar> {
     }
 
     /// Whether the force is linear in time between knots; memory integrals are then explicit, and the solver looks for
-    /// nothing else between them. With ten thousand knots one pressure takes two calls of `force` for each of them if
-    /// so, and sixty otherwise.
+    /// nothing else between them. With ten thousand knots a pressure then takes two calls of `force` for each, not sixty.
     fn is_linear_between_knots(&self) -> bool {
         false
     }
@@ -257,8 +256,7 @@ pub trait Load<T: Scalar> {
     /// as 1 − cos t is at first. A load that knows the answer should provide it.
     ///
     /// For a load that is [linear between knots](Self::is_linear_between_knots) it follows the pieces, with two calls
-    /// of `force` for each. As forces are rounded, a piece may fall too fast by 8 ε of its force, and all of them
-    /// together by √ε.
+    /// of `force` for each. As forces are rounded, a piece may fall too fast by 8 ε of its force, and all together by √ε.
     fn recession(&self, chi: T, t: T) -> Option<T> {
         recession::first_fault(self, chi, t).map(|fault| fault.time())
     }
