@@ -21,6 +21,14 @@ pub fn through<T: Scalar>(knots: &[(T, T)]) -> Knots<T> {
     PiecewiseLinear::new(knots.to_vec()).unwrap_or_else(|error| unreachable!("{knots:?}: {error}"))
 }
 
+/// Knots that divide a straight piece, from one knot to another, into so many parts.
+pub fn along([start, end]: [(f64, f64); 2], parts: u32) -> impl Iterator<Item = (f64, f64)> {
+    (0..=parts).map(move |part| {
+        let share = f64::from(part) / f64::from(parts);
+        (start.0 + (end.0 - start.0) * share, start.1 + (end.1 - start.1) * share)
+    })
+}
+
 /// Named histories of piecewise-linear loads that never fall faster than e^(−χ t).
 #[must_use]
 pub fn histories(chi: f64) -> Vec<(&'static str, Knots)> {

@@ -4,7 +4,7 @@
 use cartcontact::{ContactError, Polynomial};
 use tests::budget;
 use tests::condition::edge;
-use tests::loads::{Knots, through};
+use tests::loads::{Knots, along, through};
 use tests::measure::{relative_error, ulps};
 use tests::planted;
 
@@ -40,11 +40,8 @@ impl Piece {
     /// The contact radius at its end, and the pressures at some shares of that, if the piece has knots that divide it
     /// into so many parts. Nothing but shares counts, so that χ and the first force are 1.
     fn pressures(&self, parts: u32) -> Result<(f64, [f64; 5]), ContactError> {
-        let along = |part: u32| {
-            let share = f64::from(part) / f64::from(parts);
-            (self.folds * share, 1.0 + (self.growth - 1.0) * share)
-        };
-        let load = through(&(0..=parts).map(along).collect::<Vec<_>>());
+        let piece = [(0.0, 1.0), (self.folds, self.growth)];
+        let load = through(&along(piece, parts).collect::<Vec<_>>());
         let contact = planted::contact(Polynomial::new(self.terms)?, load, 1.0, self.start, 0.0)?;
         let now = contact.at(self.folds)?;
         Ok((now.radius(), SHARES.map(|share| now.pressure(share * now.radius()))))
@@ -73,10 +70,7 @@ fn a_piece_is_the_sum_of_its_parts() -> Result<(), ContactError> {
 fn fall_and_rise(folds: f64, parts: u32) -> Knots {
     let (end, last) = (24.0, 1e-4_f64);
     let fall = (0..12).map(|k| (2.0 * f64::from(k), last.powf(f64::from(k) / 12.0)));
-    let rise = (0..=parts).map(|part| {
-        let share = f64::from(part) / f64::from(parts);
-        (end + folds * share, last + (0.3 - last) * share)
-    });
+    let rise = along([(end, last), (end + folds, 0.3)], parts);
     through(&fall.chain(rise).collect::<Vec<_>>())
 }
 

@@ -9,7 +9,7 @@ use cartcontact::load::Constant;
 use cartcontact::{Contact, ContactError, GapProfile, Medium, Polynomial, gap_profile};
 use tests::budget;
 use tests::condition::{edge, of_radius, of_sizes};
-use tests::loads::{CountingForces, Unannounced, through};
+use tests::loads::{CountingForces, Unannounced, along, through};
 use tests::measure::{Errors, relative_error};
 use tests::planted;
 
@@ -59,8 +59,7 @@ fn a_rise_from_nothing_is_the_sum_of_its_parts() -> Result<(), Box<dyn Error>> {
     for end in [0.98, 0.99, 1.0, 1.01, 1.02] {
         for folds in [0.2, 0.3, 0.4, 0.5] {
             let peak = |parts: u32| -> Result<f64, ContactError> {
-                let shares = (0..=parts).map(|part| f64::from(part) / f64::from(parts));
-                let load = through(&shares.map(|share| (folds * share, share)).collect::<Vec<_>>());
+                let load = through(&along([(0.0, 0.0), (folds, 1.0)], parts).collect::<Vec<_>>());
                 Ok(planted::contact(&gap, load, 1.0, end, folds)?.at(folds)?.peak_pressure())
             };
             let error = relative_error(peak(1)?, peak(64)?, f64::EPSILON);
