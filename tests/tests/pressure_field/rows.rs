@@ -77,10 +77,10 @@ fn the_edge_carries_nothing() -> Result<(), ContactError> {
 /// Next to the edge, what rows add is the difference of nearly equal numbers.
 #[test]
 fn pressures_at_the_edge_of_the_first_row_are_not_negative() -> Result<(), ContactError> {
+    let contact = joint(Patellofemoral, CHI, Constant(100.0));
     for case in 0..2000 {
         let start = 1.0 + f64::from(case) / 100.0;
         let times: Vec<f64> = (0..20).map(|row| start * (1.0 + f64::EPSILON * f64::from(1 << row))).collect();
-        let contact = joint(Patellofemoral, CHI, Constant(100.0));
         let edge = contact.at(times[0])?.radius();
         let radii: Vec<f64> = (1..40).map(|k| edge * (1.0 - 0.5 * f64::EPSILON * f64::from(k))).collect();
         let mut values = vec![f64::NAN; times.len() * radii.len()];

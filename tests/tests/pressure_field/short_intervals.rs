@@ -24,11 +24,16 @@ fn compare<T: Scalar, L: Load<T>>(load: L, span: f64, rows: u32) -> Result<(), C
     let contact = joint(Patellofemoral, 0.5, load);
     let last = contact.at(times[times.len() - 1])?.radius();
     let radii = [0.0, 0.3, 0.6, 0.9].map(|share| last * T::constant(share));
-    for Value { row, r, found, expected, edge, .. } in values(&contact, &times, &radii, 37)? {
-        let error = ulps(found.value(), expected.value().into(), T::default_epsilon().value());
-        assert!(error <= ALLOWED * edge, "{span:e}, row {row}, r = {r}: {error} ulp");
-    }
+    assert_near(&values(&contact, &times, &radii, 37)?, span);
     Ok(())
+}
+
+/// Asserts that values of a field are no farther from what their times have alone than [`ALLOWED`].
+fn assert_near<T: Scalar>(values: &[Value<T>], place: f64) {
+    for &Value { row, r, found, expected, edge, .. } in values {
+        let error = ulps(found.value(), expected.value().into(), T::default_epsilon().value());
+        assert!(error <= ALLOWED * edge, "{place:e}, row {row}, r = {r}: {error} ulp of {edge}");
+    }
 }
 
 /// Spans from the shortest within which pressures in a format change by some roundings.
@@ -95,10 +100,7 @@ fn a_jump_is_passed_once_where_the_next_row_follows_at_once() -> Result<(), Fail
         let a = contact.at(knot)?.radius();
         let radii = [1e-1, 1e-3, 1e-5].map(|depth| a * (1.0 - depth));
         for times in [[knot, knot.next_up()], [knot.next_down(), knot]] {
-            for Value { row, r, found, expected, edge, .. } in values(&contact, &times, &radii, 1)? {
-                let error = ulps(found, expected.into(), f64::EPSILON);
-                assert!(error <= ALLOWED * edge, "{knot}, row {row}, r = {r}: {error} ulp of {edge}");
-            }
+            assert_near(&values(&contact, &times, &radii, 1)?, knot);
         }
     }
     Ok(())
