@@ -56,12 +56,10 @@ fn kernels_are_regenerated() {
 
 /// Σ C/(2 (n+2)²) [n aⁿ⁺² − (n+2) aⁿ r² + 2 rⁿ⁺²] with every operation rounded to 136 bits.
 fn bracket_in_forty_digits(case: Case, a: &str, r: &str) -> String {
-    type Rounded = Real;
     // Differences may have a bit too many, which only an actual change of the precision rounds away.
-    let rounded =
-        |x: &Real| -> Rounded { x.clone().with_precision(BITS).value().with_precision(136).value() };
+    let rounded = |x: &Real| -> Real { x.clone().with_precision(BITS).value().with_precision(136).value() };
     let (a, r) = (rounded(&double(number(a))), rounded(&double(number(r))));
-    let power = |x: &Rounded, n: &Rounded| match i64::try_from(n.clone()) {
+    let power = |x: &Real, n: &Real| match i64::try_from(n.clone()) {
         Ok(whole) => x.powi(whole.into()),
         Err(_) => x.powf(n),
     };
