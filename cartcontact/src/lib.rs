@@ -13,7 +13,8 @@
 //! struct Patellofemoral;
 //!
 //! let layer = Layer { thickness: 1.0, shear_modulus: 0.25, permeability: 2e-3 };
-//! let contact = Contact::new(Patellofemoral, Medium::between(layer, layer)?, load::Constant(100.0))?;
+//! let medium = Medium::between(layer, layer)?;
+//! let contact = Contact::new(Patellofemoral, medium, load::Constant(100.0))?;
 //! let now = contact.at(200.0)?; // s
 //! assert_eq!(format!("{:.3} mm", now.radius()), "7.447 mm");
 //! assert_eq!(format!("{:.4} mm", now.approach()), "0.8052 mm");

@@ -6,7 +6,7 @@ use simba::scalar::{RealField, SupersetOf};
 
 use crate::numbers::bits::nearest_integer;
 
-/// A real number type: every `simba`/`nalgebra` [`RealField`] that is `Copy`.
+/// A real number type: every `simba`/`nalgebra` [`RealField`][simba] that is `Copy`.
 ///
 /// `f32` and `f64` are such types, and so are the dual numbers of `num-dual` over them, with which every result carries
 /// its derivatives: write the joint as a function of `T: Scalar`, with `T::constant` for its constants, as the example
@@ -34,6 +34,8 @@ use crate::numbers::bits::nearest_integer;
 ///   such as p in F t^p at p = 1 (off by 3e-5) or 2 (off by 2e-9, second ones by 1e-7), because the values alone decide
 ///   how closely a force is followed. A knot where the parameter begins to act and some after it, a small b, or a p next
 ///   to 1 or 2 remedy that.
+///
+/// [simba]: https://docs.rs/simba/0.10/simba/scalar/trait.RealField.html
 ///
 /// # Examples
 ///

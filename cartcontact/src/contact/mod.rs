@@ -33,7 +33,8 @@ use crate::{Scalar, field};
 /// struct Patellofemoral;
 ///
 /// let layer = Layer { thickness: 1.0, shear_modulus: 0.25, permeability: 2e-3 };
-/// let contact = Contact::new(Patellofemoral, Medium::between(layer, layer)?, load::Constant(100.0))?;
+/// let medium = Medium::between(layer, layer)?;
+/// let contact = Contact::new(Patellofemoral, medium, load::Constant(100.0))?;
 /// let now = contact.at(200.0)?;
 /// assert!((now.radius() - 7.447_f64).abs() < 5e-4);
 /// assert!((now.peak_pressure() - 1.666_f64).abs() < 5e-4);
