@@ -66,7 +66,7 @@ pub(crate) fn time_of_contact(r: f64) -> f64 {
     ((PI * STIFFNESS / 4.0 * load_integral(r)[0] / FORCE - 1.0) / RATE).max(0.0)
 }
 
-/// The bracket of Eq. (26).
+/// G(a, r), the bracket of Eq. (26), from the approach and the log kernel.
 pub(crate) fn kernel(a: f64, r: f64) -> f64 {
     let log_kernel = |x: f64| {
         let square = x * x;
