@@ -74,12 +74,13 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Block<'_, T, P, L> {
     #[inline(always)]
     fn take_load_integrals_under(&mut self, loading: impl Fn(T, T) -> Loading<T>) -> bool {
         let (sizes, scales) = (CommonSizes::new(), self.contact.scales);
-        let mut are_common = sizes.contain_medium(self.contact.medium.chi(), scales.load_per_integral);
+        let mut are_common = sizes.contain_rate(self.contact.medium.chi());
         for (load_integral, &time) in self.load_integrals.iter_mut().zip(self.times) {
             let common_time = sizes.time_near(time);
             let loading = loading(common_time, *load_integral);
             *load_integral = scales.load_integral(loading);
-            are_common &= (common_time == time) & sizes.contain_load(loading, *load_integral);
+            let of_force = scales.load_integral_of_force(loading.force);
+            are_common &= (common_time == time) & sizes.contain_load(loading, (of_force, *load_integral));
         }
         are_common
     }

@@ -60,7 +60,13 @@ impl<T: Scalar> Scales<T> {
     #[inline(always)]
     pub(super) fn load_integral(&self, loading: Loading<T>) -> T {
         let of_impulse = loading.impulse * self.integral_per_impulse * self.unit;
-        loading.force * self.integral_per_load + of_impulse
+        self.load_integral_of_force(loading.force) + of_impulse
+    }
+
+    /// 4 F/(π m), the load integral of a force alone.
+    #[inline(always)]
+    pub(super) fn load_integral_of_force(&self, force: T) -> T {
+        force * self.integral_per_load
     }
 }
 
