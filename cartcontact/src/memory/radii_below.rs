@@ -4,12 +4,13 @@
 //! for the depths below the known radius, many at once. On logarithms, in which J is nearly linear, its step is
 //!
 //! ```text
-//! depth ← depth − (J/J′) ln(J/y),    ln(J/y) = 2 (J − y)/(J + y) + O((J − y)³)
+//! depth ← depth + (J/J′) ln(J/y),    ln(J/y) = 2 (J − y)/(J + y) + O((J − y)³)
 //! ```
 //!
-//! It leaves v/(2 p) times the square of the error, which is a share of the radius, and p²/12 times its cube; v is the
-//! variance of the powers of J about their mean p. They are between 4 and the highest power q, so that v/(2 p) is below
-//! q/2. The start takes J for the power that it is at the known radius; two steps usually suffice.
+//! It leaves (v/p − 1)/2 times the square of the error, which is a share of the radius, and about p²/12 times its cube; v
+//! is the variance of the powers of J about their mean p. They are between 4 and the highest power q, so that v is below
+//! p q, and that factor smaller than q/2. The start takes J for the power that it is at the known radius; two steps
+//! usually suffice.
 
 use super::degree::degree_of_load_integral;
 use crate::dispatch::wide;
