@@ -185,7 +185,7 @@ pub trait GapProfile<T: Scalar> {
     /// ```
     fn pressure_kernel(&self, a: T, r: T) -> T;
 
-    /// S(a) = a² G(a, 0) − J(a)/2 = ¼ ∫₀ᵃ δ₀′(s) s² (a² − s²) ds, by which the pressure on the axis exceeds twice the
+    /// S(a) = a² G(a, 0) − J(a)/2 = ¼ ∫₀ᵃ δ₀′(s) s² (a² − s²) ds: by m S/a² the pressure on the axis exceeds twice the
     /// mean one before anything has drained.
     #[doc(hidden)]
     fn excess_on_axis(&self, a: T) -> T {
