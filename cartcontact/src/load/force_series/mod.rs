@@ -139,8 +139,13 @@ impl<T: Scalar> ForceSeries<T> {
         self.folds
     }
 
-    /// The force at the end.
-    fn last(&self) -> T {
+    /// The force at the start, and just before the end.
+    pub(crate) fn ends(&self) -> (T, T) {
+        (self.forces[Self::START], self.last())
+    }
+
+    /// The force just before the end.
+    pub(crate) fn last(&self) -> T {
         self.forces[0]
     }
 

@@ -174,10 +174,10 @@ impl<T: Scalar, L: Load<T> + ?Sized> Search<'_, T, L> {
             }
             (self.time, self.impulse) = (stop, impulse);
             if stop >= end {
-                self.forgive_along_bound(start, fallen, end);
+                self.forgive_along_bound(&Piece { start, end: (end, force.last()) }, fallen);
             }
             // Also where no knot reports a jump.
-            if let Some(since) = self.jump() {
+            if let Some(since) = self.jump(force.last()) {
                 return Err(Fault::Falls(since));
             }
             if let Some(contradiction) = self.suspicion.take_if(|suspicion| suspicion.ends_by(stop)) {
@@ -190,8 +190,7 @@ impl<T: Scalar, L: Load<T> + ?Sized> Search<'_, T, L> {
 
     /// Takes a fall from knot to knot that keeps the bound F/(1 + χ Δt), as it is rounded, for none, as along
     /// [straight pieces](super::descent): the panels in between have only added up their roundings.
-    fn forgive_along_bound(&mut self, start: (T, T), fallen: T, end: T) {
-        let piece = Piece { start, end: (end, self.load.force_before(end)) };
+    fn forgive_along_bound(&mut self, piece: &Piece<T>, fallen: T) {
         if piece.keeps_bound(self.chi) {
             self.crest.fallen = self.crest.fallen.min(fallen);
         }
@@ -202,7 +201,7 @@ impl<T: Scalar, L: Load<T> + ?Sized> Search<'_, T, L> {
         if self.must_halve(force, impulse, halving) {
             return None;
         }
-        let rounding = self.rounding(self.load.force_before(force.end()), impulse);
+        let rounding = self.rounding(force.last(), impulse);
         let finding = self.examine(force, rounding);
         let is_vague = match finding {
             // A rough series does not tell since when, nor what else the load does.
@@ -234,9 +233,10 @@ impl<T: Scalar, L: Load<T> + ?Sized> Search<'_, T, L> {
         }
     }
 
-    /// Passes a jump of the load, if there is one, and returns since when the hereditary load falls, if it does.
-    fn jump(&mut self) -> Option<T> {
-        let (before, after) = (self.load.force_before(self.time), self.load.force(self.time));
+    /// Passes a jump of the load from a force `before`, if there is one, and returns since when the hereditary load
+    /// falls, if it does.
+    fn jump(&mut self, before: T) -> Option<T> {
+        let after = self.load.force(self.time);
         if before == after {
             return None;
         }

@@ -191,16 +191,15 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         let (load, chi) = (self.contact.load(), self.contact.medium().chi());
         let (before, after) = (load.impulse(self.now.time), load.impulse(force.end()));
         // Early on, χ ∫F may be less than the rounding of F, which is a few ε.
-        let of_force = load.force_before(force.end()) / chi * T::default_epsilon() * T::constant(4.0);
+        let of_force = force.last() / chi * T::default_epsilon() * T::constant(4.0);
         force.is_loose() || force.misses(after - before, rounding_within_load(after) + of_force)
     }
 
     /// Continues along a step, and through a jump at its end.
     fn advance_smooth(&mut self, force: &ForceSeries<T>) {
-        let forces = self.forces_until(force.end());
         let (gained, of_series) = self.take_impulse(force);
         let gain = force.gain() + self.contact.medium().chi() * (gained - of_series);
-        self.arrive(force.end(), &Course::smooth(force), forces, gain);
+        self.arrive(force.end(), &Course::smooth(force), force.ends(), gain);
     }
 
     /// Continues through a step in which the force jumps, as if it jumped at the end.
@@ -210,7 +209,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
     /// shorter ones was given up.
     fn advance_through_jump(&mut self, force: &ForceSeries<T>) {
         let (end, chi) = (force.end(), self.contact.medium().chi());
-        let (first, last) = self.forces_until(end);
+        let (first, last) = force.ends();
         let (gained, _) = self.take_impulse(force);
         let folds = chi * (end - self.now.time);
         let fading = Fading::over(folds);
@@ -231,12 +230,6 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         self.cover(radius, course, forces, gain);
         self.now.time = end;
         self.jump(forces.1, self.force_now());
-    }
-
-    /// The force now, and just before a time.
-    fn forces_until(&self, end: T) -> (T, T) {
-        let load = self.contact.load();
-        (load.force(self.now.time), load.force_before(end))
     }
 
     /// Continues through a step if the contact stays below the radii that the transition is for: then only the impulse
