@@ -222,9 +222,9 @@ const POLYNOMIALS: [[Tabled; MOST_NODES / 2]; 4] = {
 /// the nodes, multiplied by the weights.
 ///
 /// It is the first Legendre coefficient that the rule does not see, of degree 2n, over the mean. From the middle
-/// coefficients to the last ones, over n/2 degrees, the coefficients fall by a factor that is squared here for the n
-/// degrees beyond: those of e^(c x) fall faster and faster, those of a function with a singularity as before. Of two
-/// neighbours the larger one counts, because a pair of complex singularities lets coefficients oscillate.
+/// coefficients to the last ones, over n/2 − 1 degrees, the coefficients fall by a factor that is squared here for the
+/// n + 1 degrees or more beyond: those of e^(c x) fall faster and faster, those of a function with a singularity as
+/// before. Of two neighbours the larger one counts, because a pair of complex singularities lets coefficients oscillate.
 #[inline(always)]
 pub(crate) fn error_of_finest<T: Scalar>(summands: &[T]) -> T {
     let mut sums = [T::zero(); 4];
