@@ -149,7 +149,8 @@ impl<T: Precision> Examination<'_, T> {
         let slope = radius.map_or(0.0, |a| (y / (a * a * a * a * a)).value());
         let curvature = if fourth > 0.0 { force / fourth } else { 0.0 };
         let growth = radius.map_or(0.0, |a| self.exact.profile.kernels(a).log_slope.value.value());
-        let numbers = [y.value(), force, force * chi, impulse, fourth, slope, curvature];
+        let drained_slope = curvature / self.exact.stiffness().value();
+        let numbers = [y.value(), force, force * chi, impulse, fourth, slope, curvature, drained_slope];
         numbers.into_iter().any(|x| x < T::LEAST * (1.0 + 4.0 * T::EPSILON))
             || fourth > T::MOST * (1.0 - 8.0 * T::EPSILON)
             || growth > T::MOST * (0.5 - 8.0 * T::EPSILON)
