@@ -115,7 +115,7 @@ impl<T: Scalar, S: Pairs<T>> Polynomial<T, S> {
         self.terms.as_ref().iter().map(move |&(c, n)| term(c, n))
     }
 
-    /// The radius of any load integral, also where terms have both signs or numbers carry derivatives.
+    /// The radius of any load integral, also where terms have both signs.
     fn general_radius_within(&self, load_integral: T, limit: T) -> Result<T, RadiusError> {
         let terms = self.terms().iter().copied();
         let evaluate = |a| power_sum_and_log_slope(a, self.load_integral_terms());

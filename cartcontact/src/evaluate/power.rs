@@ -4,7 +4,9 @@ use crate::Scalar;
 use crate::numbers::bits::{rough_ln, with_half_its_digits};
 use crate::numbers::double_word::DoubleWord;
 use crate::numbers::exponent::Exponent;
-use crate::scalar::{has_no_derivatives, is_plain_zero, smallest_normal};
+use crate::scalar::{
+    from_single, has_no_derivatives, is_plain_zero, is_single, single_value, smallest_normal,
+};
 
 /// x^k by binary powering.
 #[inline]
@@ -183,6 +185,12 @@ pub(super) fn quarter_power<X: Copy>(
 /// 4 φ, if that is whole and neither number can carry a derivative that a root would lose.
 #[inline]
 pub(super) fn quarters<T: Scalar>(x: T, fraction: T) -> Option<u8> {
+    quarters_of_value(x, fraction).filter(|_| has_no_derivatives::<T>())
+}
+
+/// 4 φ, if that is whole and x is not zero.
+#[inline]
+pub(super) fn quarters_of_value<T: Scalar>(x: T, fraction: T) -> Option<u8> {
     // Not a loop: small code would convert its constants one by one.
     let whole = if fraction.is_zero() {
         0
@@ -195,7 +203,7 @@ pub(super) fn quarters<T: Scalar>(x: T, fraction: T) -> Option<u8> {
     } else {
         return None;
     };
-    (has_no_derivatives::<T>() && !x.is_zero()).then_some(whole)
+    (!x.is_zero()).then_some(whole)
 }
 
 /// x^φ for 0 ≤ φ < 1 by a library's power, with derivatives with respect to both; 0 to a power above 0 has none.
@@ -206,6 +214,15 @@ pub(super) fn real_fractional_power<T: Scalar>(x: T, fraction: T) -> T {
     }
     // The exponent may carry a derivative, even where its fraction is zero.
     if has_no_derivatives::<T>() { x.powf(fraction) } else { (fraction * x.ln()).exp() }
+}
+
+/// The value of [`real_fractional_power`], without derivatives.
+pub(super) fn value_of_fractional_power<T: Scalar>(x: T, fraction: T) -> T {
+    if is_single::<T>() {
+        from_single(real_fractional_power(single_value(x), single_value(fraction)))
+    } else {
+        T::constant(real_fractional_power(x.value(), fraction.value()))
+    }
 }
 
 #[cfg(test)]

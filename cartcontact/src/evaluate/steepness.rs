@@ -20,12 +20,16 @@
 //! off by another ulp, but of millions of such radii the worst was off by 1.09. Constants with whole powers take plain
 //! arithmetic instead, and are now and then off by 1.07 ulp.
 
-use super::power::{fractional_power, plain_whole_term, quarter_power, quarters, real_fractional_power};
+use super::power::{
+    fractional_power, plain_whole_term, quarter_power, quarters_of_value, real_fractional_power,
+    value_of_fractional_power,
+};
 use crate::Scalar;
 use crate::numbers::bits::{exponent, power_of_two, rough_ln};
 use crate::numbers::double_word::DoubleWord;
 use crate::numbers::exponent::Exponent;
 use crate::numbers::halved::Halved;
+use crate::scalar::{has_no_derivatives, is_plain_zero, without_derivatives};
 
 /// J and its first two derivatives at a radius a, as a step of Halley's method takes them.
 ///
@@ -214,15 +218,15 @@ pub fn plain_power_sum_steepness<T: Scalar>(
 /// c x^p in halves, so that the middle value is in range whenever c and the result are.
 #[inline(always)]
 fn halved_term<T: Scalar>(c: Halved<T>, x: Halved<T>, square: Halved<T>, p: Exponent<T>) -> Halved<T> {
-    // The power may be out of range.
-    if c.head().is_zero() {
+    // The power may be out of range; a zero that carries a derivative does not count as zero.
+    if is_plain_zero(c.head()) {
         return c;
     }
     let degree = p.whole as u32;
     let half = x.power(square, degree / 2);
     let even = c.times(half).times(half);
     let whole_power = if degree & 1 == 1 { even.times(x) } else { even };
-    if p.fraction.is_zero() && p.rest.is_zero() {
+    if is_plain_zero(p.fraction) && p.rest.is_zero() {
         whole_power
     } else {
         whole_power.times(precise_fractional_power(x, p.fraction, p.rest))
@@ -243,14 +247,20 @@ fn plain_high_term<T: Scalar>(c: T, x: T, p: Exponent<T>) -> T {
 /// x^φ for 0 ≤ φ < 1, from a fraction and what it lacks; not inlined, out of the way of whole powers.
 #[inline(never)]
 fn precise_fractional_power<T: Scalar>(x: Halved<T>, fraction: T, rest: T) -> Halved<T> {
-    match quarters(x.word(), fraction).filter(|_| rest.is_zero()) {
-        Some(quarters) => quarter_power(x, quarters, Halved::sqrt, Halved::times),
+    let power = match quarters_of_value(x.word(), fraction).filter(|_| rest.is_zero()) {
+        Some(0) => Halved::of(T::one()),
+        Some(quarters) => quarter_power(x.without_derivatives(), quarters, Halved::sqrt, Halved::times),
         None => {
-            let power = Halved::of(real_fractional_power(x.word(), fraction));
+            let power = Halved::of(value_of_fractional_power(x.word(), fraction));
             // The rest is below half a rounding of the fraction, and so little of its logarithm counts.
             power.plus_little(power.head() * (rest * rough_ln(x.word())))
         }
+    };
+    if has_no_derivatives::<T>() {
+        return power;
     }
+    let with_derivatives = real_fractional_power(x.word(), fraction);
+    power.plus_little(with_derivatives - without_derivatives(with_derivatives))
 }
 
 /// [`fractional_power`], not inlined either.

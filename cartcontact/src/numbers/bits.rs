@@ -1,12 +1,12 @@
 //! Functions of the bits of f64 and f32, without branches, so that they compile to vector code.
 //!
-//! Each format is read from its own bits: a microcontroller's f32 never passes through f64. Digits are binary, here and
+//! Each format is read from its own bits: a microcontroller's f32 never passes through f64. Of dual numbers these are the
+//! bits of the value. Digits are binary, here and
 //! wherever a number is said to have all, half or few of its digits.
 
-use core::any::Any;
-
+use super::binary::scale;
 use crate::Scalar;
-use crate::scalar::is_same;
+use crate::scalar::{from_single, has_no_derivatives, is_single, single_value};
 
 /// Fractional digits of a logarithm.
 pub(crate) const LOGARITHM_DIGITS: u32 = 8;
@@ -23,24 +23,16 @@ const SIGNED_UNIT_OF_SINGLE: f64 = 12_582_912.0;
 /// A function of the bits of x.
 #[inline(always)]
 pub(crate) fn of_bits<T: Scalar, R>(x: T, single: impl FnOnce(u32) -> R, double: impl FnOnce(u64) -> R) -> R {
-    let any: &dyn Any = &x;
-    match any.downcast_ref::<f32>() {
-        Some(x) => single(x.to_bits()),
-        None => double(x.value().to_bits()),
-    }
+    if is_single::<T>() { single(single_value(x).to_bits()) } else { double(x.value().to_bits()) }
 }
 
 /// The number with these bits.
 #[inline(always)]
 fn from_bits<T: Scalar>(single: u32, double: u64) -> T {
-    if is_same::<T, f32>() {
-        T::from_subset(&f32::from_bits(single))
-    } else {
-        T::constant(f64::from_bits(double))
-    }
+    if is_single::<T>() { from_single(f32::from_bits(single)) } else { T::constant(f64::from_bits(double)) }
 }
 
-/// The number whose bits are a function of the bits of x.
+/// The number whose bits are a function of the bits of x, without derivatives.
 #[inline(always)]
 fn with_bits<T: Scalar>(x: T, single: impl FnOnce(u32) -> u32, double: impl FnOnce(u64) -> u64) -> T {
     of_bits(x, |bits| from_bits(single(bits), 0), |bits| from_bits(0, double(bits)))
@@ -49,7 +41,7 @@ fn with_bits<T: Scalar>(x: T, single: impl FnOnce(u32) -> u32, double: impl FnOn
 /// The bias of exponents.
 #[inline(always)]
 pub(crate) fn bias<T: Scalar>() -> i32 {
-    if is_same::<T, f32>() { 127 } else { 1023 }
+    if is_single::<T>() { 127 } else { 1023 }
 }
 
 /// Whether 2^`exponent` is a normal number.
@@ -81,7 +73,7 @@ pub(crate) fn rough_ln<T: Scalar>(x: T) -> T {
 /// The nearest integer, of 21 digits and a sign, as a `T` and as an `i32`.
 #[inline(always)]
 pub(crate) fn nearest_integer<T: Scalar>(x: T) -> (T, i32) {
-    let unit = T::constant(if is_same::<T, f32>() { SIGNED_UNIT_OF_SINGLE } else { SIGNED_UNIT_OF_DOUBLE });
+    let unit = T::constant(if is_single::<T>() { SIGNED_UNIT_OF_SINGLE } else { SIGNED_UNIT_OF_DOUBLE });
     // A sum of this size has no fractional digits, and the integer in its last bits.
     let sum = x + unit;
     // Of f32 the ten bits above the sign of the integer are shifted out and come back as copies of the sign.
@@ -113,9 +105,12 @@ pub(crate) fn exponent<T: Scalar>(x: T) -> i32 {
     of_bits(x, |bits| (bits >> 23) as i32, |bits| (bits >> 52) as i32) - bias::<T>()
 }
 
-/// The fraction f of x = f · 2^e, 1 ≤ f < 2.
+/// The fraction f of x = f · 2^e, 1 ≤ f < 2, with its derivatives.
 #[inline(always)]
 pub(crate) fn fraction<T: Scalar>(x: T) -> T {
+    if !has_no_derivatives::<T>() {
+        return scale(x, -exponent(x));
+    }
     with_bits(
         x,
         |bits| bits & 0x007f_ffff | 0x3f80_0000,

@@ -8,12 +8,13 @@
 //!
 //! the first part is exact. The second, a share of 2⁻²⁴, or 2⁻¹¹ in single precision, is rounded: it is off by less
 //! than 2⁻⁷⁵ of the product, or in single precision 2⁻³³ = ε/1000. That is less exact than a
-//! [`DoubleWord`](super::double_word::DoubleWord) and takes a third of its operations.
+//! [`DoubleWord`](super::double_word::DoubleWord) and takes a third of its operations. Derivatives are in the rest.
 
 use super::bits::with_half_its_digits;
 use crate::Scalar;
+use crate::scalar::without_derivatives;
 
-/// head + rest, for f32 and f64.
+/// head + rest.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Halved<T> {
     head: T,
@@ -109,6 +110,12 @@ impl<T: Scalar> Halved<T> {
     #[inline(always)]
     pub(crate) fn whole_power<const K: u32>(self, square: Self) -> Self {
         if K == 1 { self } else { self.power(square, K) }
+    }
+
+    /// The value alone.
+    #[inline(always)]
+    pub(crate) fn without_derivatives(self) -> Self {
+        Self { head: self.head, rest: without_derivatives(self.rest) }
     }
 
     /// The product with a power of two.

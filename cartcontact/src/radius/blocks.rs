@@ -28,7 +28,7 @@ impl<const N: usize, const BYTES: usize> Table<N, BYTES> {
         general: impl Fn(T) -> Result<T, RadiusError>,
     ) -> Result<(), RadiusError> {
         let blocks = Blocks { table: self, limit, step };
-        let least = if self.holds::<T>() { SMALL_BLOCK } else { usize::MAX };
+        let least = if self.has_blocks::<T>() { SMALL_BLOCK } else { usize::MAX };
         fill(
             values,
             (least, BLOCK),

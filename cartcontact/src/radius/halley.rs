@@ -6,10 +6,60 @@
 //!
 //! leaves |C| e³ of a relative error e, where C = (a J″/2J′)² − a² J‴/6J′. Rounding errors come only from J, whose
 //! error is divided by p = a J′/J > 4, and from the last subtraction.
+//!
+//! **Derivatives.** Where numbers carry some, the step is taken for the value alone. From the radius without derivatives
+//! then follow steps a ← a − a (J(a) − y)/aJ′ with aJ′ a plain number: each adds the derivatives of one more order. They
+//! have no error but rounding, as the radius has none, and nothing is divided by a number with derivatives: the square of
+//! that could leave the format.
 
 use crate::Scalar;
+use crate::evaluate::power::integer_power;
 use crate::evaluate::steepness::Steepness;
 use crate::numbers::halved::{Halved, product_with_few_digits};
+use crate::scalar::{has_no_derivatives, highest_derivative, without_derivatives};
+
+/// The root of a function with its derivatives, from its value. The function comes with 1/(x f′), of which only the value
+/// counts.
+#[inline(always)]
+pub(super) fn with_derivatives<T: Scalar>(value: T, function: impl Fn(T) -> (T, T)) -> T {
+    let value = without_derivatives(value);
+    let (at_value, inverse_slope) = function(value);
+    let share = without_derivatives(inverse_slope * value);
+    let mut root = with_value(value, -(at_value * share));
+    for _ in 1..highest_derivative::<T>() {
+        root = with_value(value, root - function(root).0 * share);
+    }
+    root
+}
+
+/// A number of which only the derivatives are kept, beside another value, which has none.
+#[inline(always)]
+fn with_value<T: Scalar>(value: T, x: T) -> T {
+    value + (x - without_derivatives(x))
+}
+
+/// The radius from a seed of its `Q`-th root, where J has whole powers of that.
+#[inline(always)]
+pub(super) fn radius_from_root<T: Scalar, const Q: u32>(
+    seed: T,
+    target: Target<T>,
+    evaluate: impl Fn(T) -> Steepness<T>,
+) -> T {
+    let steepness = evaluate(seed);
+    let radius = steepness.radius_from_root::<Q>(seed, target);
+    if has_no_derivatives::<T>() {
+        return radius;
+    }
+    let root = with_derivatives(
+        steepness.root::<Q>(seed, target),
+        #[inline(always)]
+        |x| {
+            let steepness = evaluate(x);
+            (steepness.surplus(target), steepness.inverse_slope())
+        },
+    );
+    with_value(without_derivatives(radius), integer_power(root, Q))
+}
 
 /// The value that J has to reach: a number rounded from a product, and what it lacks of that product.
 ///
@@ -65,6 +115,19 @@ impl<T: Scalar> Steepness<T> {
                 power - (power * share - lost)
             }
         }
+    }
+
+    /// The `Q`-th root of the radius from its seed.
+    #[inline(always)]
+    fn root<const Q: u32>(self, seed: T, target: Target<T>) -> T {
+        if Q > 2 { seed - seed * self.share_of_high_power(target) } else { self.halley(seed, target) }
+    }
+
+    /// 1/aJ′.
+    #[inline(always)]
+    fn inverse_slope(self) -> T {
+        let [power, first, per_unit] = [self.power, self.first, self.per_unit].map(without_derivatives);
+        per_unit / (power * first)
     }
 
     /// How much a seed exceeds the radius.

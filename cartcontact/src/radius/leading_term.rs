@@ -28,7 +28,7 @@ use crate::evaluate::steepness::Steepness;
 use crate::numbers::bits::{
     LOGARITHM_DIGITS, bias, log2_digits, nearest_integer, one_and_digits, with_half_its_digits,
 };
-use crate::scalar::{floor, is_same};
+use crate::scalar::{floor, is_single};
 
 /// Added to logarithms, whole numbers over p, before they are rounded. Hardly any then lies so near the midpoint of two
 /// integers that its own rounding error, which depends on the units, decides.
@@ -107,7 +107,7 @@ impl<T: Scalar> Spread<T> {
         let (near, far) = (at.value * (value - y), at.first * (value + y));
         let mut a = start * ((far - near) / (far + near));
         let mut is_near = true;
-        let close = T::constant(if is_same::<T, f32>() { 0.4 } else { 0.05 }) / self.highest;
+        let close = T::constant(if is_single::<T>() { 0.4 } else { 0.05 }) / self.highest;
         for _ in 0..self.steps() + more {
             let next = evaluate(a).halley(a, Target::of(y));
             is_near = (next - a).abs() <= a * close;

@@ -24,7 +24,10 @@
 //! its error is that of J divided by p = a J′/J, and p is at least n+4 for one term. There J is rounded once: in plain
 //! arithmetic its error is up to p/2 ε, and after division by p it is no longer small beside the rounding of the
 //! result.
+//!
+//! **Derivatives** follow from the radius that plain numbers lead to, see [`halley`](super::halley).
 
+use super::halley::with_derivatives;
 use super::{beyond, needs_search};
 use crate::Scalar;
 use crate::numbers::binary::{estimated_root_of_quotient, scale, split};
@@ -51,7 +54,8 @@ pub fn invert<T: Scalar>(
     if !needs_search(target, limit)? {
         return Ok(T::zero());
     }
-    let Seed { radius: start, mut bracket } = Seed::of(target, terms);
+    let plain_terms = terms.into_iter().map(|(c, n)| (without_derivatives(c), without_derivatives(n)));
+    let Seed { radius: start, mut bracket } = Seed::of(without_derivatives(target), plain_terms);
     // J(`limit`) as it is known to a caller who asks for the end of the range. Plain arithmetic may give less; with
     // fields, whose coefficients are rounded here, even this may be less by some roundings.
     let is_end_near = limit.is_finite() && (has_negative_terms || limit <= bracket.high);
@@ -61,28 +65,28 @@ pub fn invert<T: Scalar>(
     }
     if largest.is_finite() {
         target = lesser(target, largest);
-        bracket.high = limit;
+        bracket.high = without_derivatives(limit);
     } else if has_negative_terms {
         // Also where J(`limit`) is the difference of infinite terms.
         let high = above(target, bracket.high, &evaluate);
-        bracket.high = high.ok_or_else(|| beyond(target, -T::infinity(), limit))?.min(limit);
+        bracket.high =
+            high.ok_or_else(|| beyond(target, -T::infinity(), limit))?.min(without_derivatives(limit));
     }
     bracket.low = bracket.low.min(bracket.high);
     let close = close_enough(has_negative_terms);
-    let (_, exponent) = split(target);
-    // The derivative of 1/y has a factor 1/y², which a small y makes leave the format: all is divided by a power of two
-    // near y.
-    let scaled = |x| if has_no_derivatives::<T>() { x } else { scale(x, -exponent) };
-    let functions = (
-        |a| {
-            let (value, log_slope) = evaluate(a);
-            (scaled(value), scaled(log_slope))
-        },
-        |a| scaled(load_integral(a)),
-    );
-    let radius = iterate(scaled(target), start.min(bracket.high), bracket, close, functions);
+    let plain = |(value, log_slope)| (without_derivatives(value), without_derivatives(log_slope));
+    let functions = (|a| plain(evaluate(a)), |a| without_derivatives(load_integral(a)));
+    let radius = iterate(without_derivatives(target), start.min(bracket.high), bracket, close, functions);
     // The last step may end a few units in the last place beyond the bracket.
-    Ok(lesser(radius, limit))
+    if radius > limit || has_no_derivatives::<T>() {
+        return Ok(lesser(radius, limit));
+    }
+    // The reciprocal of a slope may leave the format, if that is not divided by a power of two near y.
+    let (_, exponent) = split(target);
+    Ok(with_derivatives(radius, |a| {
+        let (value, log_slope) = evaluate(a);
+        (scale(value - target, -exponent), scale(without_derivatives(log_slope), -exponent).recip())
+    }))
 }
 
 /// A radius of which J is not below `target`, from `high` on; none if J falls further than it has to rise, as that of a
@@ -156,12 +160,6 @@ const FREE_STEPS: usize = 8;
 /// Halvings of ln a that make the widest bracket narrow; beside each there is one more free step.
 const HALVINGS: usize = 63;
 
-/// Half the relative change up to which a step keeps the derivatives of dual numbers.
-///
-/// They follow from the last steps alone, each of which gains an order. Far from the root they need not be numbers: they
-/// are quotients whose divisor is a square, and what is not a number once would remain so.
-const NEAR: f64 = 0.1;
-
 fn iterate<T: Scalar>(
     target: T,
     start: T,
@@ -184,12 +182,12 @@ fn iterate<T: Scalar>(
         let next = a * ((far - near) / (far + near));
         // Also false for NaN, which a slope of zero can cause.
         if bracket.contains(next) && !(step > FREE_STEPS && step % 2 == 1) {
-            a = if near.abs() <= far * T::constant(NEAR) { next } else { without_derivatives(next) };
+            a = next;
             if near.abs() <= close * far {
                 break;
             }
         } else if !bracket.is_narrow() {
-            a = without_derivatives(bracket.middle());
+            a = bracket.middle();
         }
         if bracket.is_narrow() {
             break;
@@ -205,7 +203,7 @@ fn iterate<T: Scalar>(
 /// A step on logarithms leaves v/(2 p) times the square of the error, where v is the variance of the powers weighted by
 /// their terms; a Newton step leaves p/2 times its square. Without negative terms v/p is below the highest power p₂, so
 /// that both leave less than p₂³/8 times the fourth power of the error: below √ε/8 that is less than ε/8 for powers up
-/// to 1028, also in single precision. The derivatives of dual numbers lag one step behind.
+/// to 1028, also in single precision.
 ///
 /// With negative terms v and p, then a J″/J′, have no bound: next to a double zero of δ₀′ the slope doubles within a
 /// share w of the radius, and both are of the size of 1/w. Steps below ε^(3/4) leave ε while w is above √ε. If the

@@ -3,14 +3,14 @@
 //! The start is that of [`leading_term`](super::leading_term), and terms are multiplied by the power of two that puts y
 //! between 1 and 2.
 
-use super::halley::Target;
+use super::halley::{Target, radius_from_root};
 use super::leading_term::{MORE_STEPS, Spread, Start, logarithm_alone};
 use crate::Scalar;
 use crate::dispatch::out_of_line;
 use crate::evaluate::steepness::Steepness;
 use crate::numbers::bits::{exponent, fraction, is_normal, log2_digits, power_of_two};
 use crate::numbers::exponent::Exponent;
-use crate::scalar::{greater, has_no_derivatives, is_same, lesser};
+use crate::scalar::{greater, is_single, lesser};
 
 /// The highest powers for which single and double precision hold (p J)². From where the lowest power leads, which is
 /// above 4, the first step may go to 1.41 and 1.53 times the radius; there J is 10¹⁵ and 10¹¹¹ times as large. If a step
@@ -21,8 +21,7 @@ const HIGHEST_DOUBLE_POWER: f64 = 600.0;
 /// The radius at which Σ j a^p is `load_integral`, for any powers, from the pairs (j, p). Two functions evaluate J
 /// times a factor at a, one for the last step and one for those before.
 ///
-/// None beyond `limit`, where the steps have not come near, with negative terms, and for scalars other than f32 and
-/// f64.
+/// None beyond `limit`, where the steps have not come near, and with negative terms.
 #[inline(always)]
 pub fn radius_of_real_powers<T: Scalar>(
     load_integral: T,
@@ -31,9 +30,6 @@ pub fn radius_of_real_powers<T: Scalar>(
     evaluate: impl Fn(T, T) -> Steepness<T>,
     evaluate_at_last: impl Fn(T, T) -> Steepness<T>,
 ) -> Option<T> {
-    if !has_no_derivatives::<T>() {
-        return None;
-    }
     let logarithm_of_y = log2_digits(load_integral);
     let (mut lowest, mut highest, mut least, mut are_positive) =
         (T::infinity(), T::zero(), T::infinity(), true);
@@ -50,7 +46,7 @@ pub fn radius_of_real_powers<T: Scalar>(
     let start = Start::of(lowest, least);
     let exponent = exponent(load_integral);
     let fits = is_normal::<T>(exponent) & is_normal::<T>(-exponent) & is_normal::<T>(start.octave);
-    let most = if is_same::<T, f32>() { HIGHEST_SINGLE_POWER } else { HIGHEST_DOUBLE_POWER };
+    let most = if is_single::<T>() { HIGHEST_SINGLE_POWER } else { HIGHEST_DOUBLE_POWER };
     if !(are_positive & fits & (highest <= T::constant(most))) {
         return None;
     }
@@ -64,7 +60,14 @@ pub fn radius_of_real_powers<T: Scalar>(
             #[inline(always)]
             |a| evaluate(a, scale),
             #[inline(always)]
-            |a| evaluate_at_last(a, scale).halley(a, Target::of(y)),
+            |a| {
+                radius_from_root::<_, 1>(
+                    a,
+                    Target::of(y),
+                    #[inline(always)]
+                    |a| evaluate_at_last(a, scale),
+                )
+            },
         )
     };
     let found = |(radius, is_near): (T, bool)| (is_near & (radius <= limit)).then_some(radius);

@@ -5,7 +5,7 @@
 //! which then takes the place of a.
 
 use super::blocks::{fill, leading_blocks};
-use super::halley::Target;
+use super::halley::{Target, radius_from_root};
 use super::leading_term::{MORE_STEPS, Spread, Start, logarithm_alone};
 use crate::Scalar;
 use crate::dispatch::out_of_line;
@@ -43,13 +43,9 @@ where
     F: Fn(T, [T; N]) -> Steepness<T> + Copy,
     L: Fn(T, [T; N]) -> Steepness<T> + Copy,
 {
-    /// The radius at which J is `load_integral`; none beyond `limit`, where the steps have not come near, and for
-    /// scalars other than f32 and f64.
+    /// The radius at which J is `load_integral`; none beyond `limit`, and where the steps have not come near.
     #[inline(always)]
     pub fn radius(&self, load_integral: T, limit: T) -> Option<T> {
-        if !has_no_derivatives::<T>() {
-            return None;
-        }
         let found = |(radius, is_found): (T, bool)| (is_found & (radius <= limit)).then_some(radius);
         // A copy for the cold call. What it can see must be kept in memory, and the logarithms would be taken again for
         // each of many radii.
@@ -62,7 +58,7 @@ where
         }
     }
 
-    /// The radius at which J is `load_integral`, f32 or f64, and whether the steps have found it; `more` is the number
+    /// The radius at which J is `load_integral`, and whether the steps have found it; `more` is the number
     /// of steps beyond those that usually suffice.
     #[inline(always)]
     pub fn solve(&self, load_integral: T, more: u32) -> (T, bool) {
@@ -92,7 +88,14 @@ where
             #[inline(always)]
             |x| (self.steepness)(x, scaled),
             #[inline(always)]
-            |x| (self.last_steepness)(x, scaled).radius_from_root::<ROOT>(x, target),
+            |x| {
+                radius_from_root::<_, ROOT>(
+                    x,
+                    target,
+                    #[inline(always)]
+                    |x| (self.last_steepness)(x, scaled),
+                )
+            },
         );
         (radius * power_of_two(start.octave * ROOT as i32), fits & is_near)
     }

@@ -49,6 +49,7 @@ struct Halley<U, F> {
 
 impl<T: Scalar, U: Units<T>, F: Fn(T) -> Steepness<T> + Copy> Step<T> for Halley<U, F> {
     type Start = f32;
+    const HAS_DERIVATIVES: bool = true;
 
     #[inline(always)]
     fn in_table(self, load_integral: T) -> (T, i32) {
@@ -66,6 +67,6 @@ impl<T: Scalar, U: Units<T>, F: Fn(T) -> Steepness<T> + Copy> Step<T> for Halley
     #[inline(always)]
     fn radius(self, _row: &Row, start: f32, load_integral: T) -> T {
         let seed = self.units.seed(from_single(start));
-        self.units.radius(seed, (self.evaluate)(seed), self.units.target(load_integral))
+        self.units.radius(seed, self.units.target(load_integral), self.evaluate)
     }
 }

@@ -32,7 +32,7 @@ pub(crate) mod units;
 
 use crate::Scalar;
 use crate::numbers::bits::{least_of_quarter, of_bits, quarter};
-use crate::scalar::is_same;
+use crate::scalar::{has_no_derivatives, is_single};
 
 /// A row of `N` bytes for each quarter of an octave k = 4 e + ⌊4 (f − 1)⌋ of the load integral y = f · 2^e, 1 ≤ f < 2,
 /// `BYTES` in all.
@@ -72,6 +72,9 @@ pub(super) trait Step<T, const N: usize = 16>: Copy {
     /// What is read from all rows of a block first, if that makes quicker vector code.
     type Start: Copy + Default;
 
+    /// Whether the radius has the derivatives of the load integral and of what it depends on beside that.
+    const HAS_DERIVATIVES: bool = false;
+
     /// The load integral that is looked up in the table, and how many periods of the table were taken out of it.
     #[inline(always)]
     fn in_table(self, load_integral: T) -> (T, i32) {
@@ -89,11 +92,11 @@ pub(super) trait Step<T, const N: usize = 16>: Copy {
 
 impl<const N: usize, const BYTES: usize> Table<N, BYTES> {
     /// The radius at which J is `load_integral`; none outside the table or beyond `limit`, and for scalars other than
-    /// f32 and f64.
+    /// f32 and f64 if the step does not know derivatives.
     #[inline(always)]
     pub(super) fn find<T: Scalar, S: Step<T, N>>(&self, load_integral: T, limit: T, step: S) -> Option<T> {
         let (y, periods) = step.in_table(load_integral);
-        if !(self.holds::<T>() && self.contains(y)) {
+        if !(self.holds::<T>() && (S::HAS_DERIVATIVES || has_no_derivatives::<T>()) && self.contains(y)) {
             return None;
         }
         let digits = digits(y);
@@ -105,14 +108,19 @@ impl<const N: usize, const BYTES: usize> Table<N, BYTES> {
         is_within.then_some(radius)
     }
 
-    /// Whether there are rows for a scalar type.
-    pub(super) fn holds<T: Scalar>(&self) -> bool {
-        is_same::<T, f64>() || (is_same::<T, f32>() && self.single.count > 0)
+    /// Whether there are rows for the precision of a scalar type.
+    fn holds<T: Scalar>(&self) -> bool {
+        !is_single::<T>() || self.single.count > 0
+    }
+
+    /// Whether there is vector code for a scalar type.
+    pub(super) fn has_blocks<T: Scalar>(&self) -> bool {
+        has_no_derivatives::<T>() && self.holds::<T>()
     }
 
     #[inline(always)]
     fn quarters<T: Scalar>(&self) -> Quarters {
-        if is_same::<T, f32>() { self.single } else { self.quarters }
+        if is_single::<T>() { self.single } else { self.quarters }
     }
 
     /// If y is too small for the table or has its sign set, its index is too large.

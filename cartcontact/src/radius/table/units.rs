@@ -6,8 +6,8 @@ use crate::evaluate::steepness::Steepness;
 use crate::numbers::binary::{divide, scale, split};
 use crate::numbers::bits::with_half_its_digits;
 use crate::numbers::exponent::Exponent;
-use crate::radius::halley::Target;
-use crate::scalar::{is_finite_and_positive, is_same};
+use crate::radius::halley::{Target, radius_from_root};
+use crate::scalar::{is_finite_and_positive, is_single};
 
 /// The units of a table's load integrals and radii, and of the step from them.
 ///
@@ -28,10 +28,10 @@ pub trait Units<T: Scalar>: Copy {
     /// The load integral as the target of the step.
     fn target(self, load_integral: T) -> Target<T>;
 
-    /// The radius from its seed, by one step.
+    /// The radius from its seed, by one step with a function that evaluates J.
     #[inline(always)]
-    fn radius(self, seed: T, steepness: Steepness<T>, target: Target<T>) -> T {
-        steepness.halley(seed, target)
+    fn radius(self, seed: T, target: Target<T>, evaluate: impl Fn(T) -> Steepness<T>) -> T {
+        radius_from_root::<_, 1>(seed, target, evaluate)
     }
 }
 
@@ -53,7 +53,7 @@ impl<T: Scalar> Units<T> for OwnUnits {
     #[inline(always)]
     fn seed(self, radius: T) -> T {
         // The table's numbers have half the digits of double precision.
-        if is_same::<T, f32>() { with_half_its_digits(radius) } else { radius }
+        if is_single::<T>() { with_half_its_digits(radius) } else { radius }
     }
 
     #[inline(always)]
@@ -81,7 +81,7 @@ impl<T: Scalar> EqualTerms<T> {
     /// nearer to 1. Terms outside these bounds have no table.
     #[inline(always)]
     pub fn of<const N: usize>(low: (T, T), high: (T, T), others: [T; N], denominator: T) -> Self {
-        let (least, most) = if is_same::<T, f32>() { (1e-11, 1e11) } else { (1e-60, 1e60) };
+        let (least, most) = if is_single::<T>() { (1e-11, 1e11) } else { (1e-60, 1e60) };
         let (least, most) = (T::constant(least), T::constant(most));
         let (radius, per_size) = equal_terms(low, high);
         // A term with a sign other than in the table has a negative size; the unit may then be NaN or not.
@@ -179,8 +179,8 @@ impl<T: Scalar, U: Units<T>, const Q: u32> Units<T> for RootOf<U, Q> {
     }
 
     #[inline(always)]
-    fn radius(self, seed: T, steepness: Steepness<T>, target: Target<T>) -> T {
-        steepness.radius_from_root::<Q>(seed, target)
+    fn radius(self, seed: T, target: Target<T>, evaluate: impl Fn(T) -> Steepness<T>) -> T {
+        radius_from_root::<_, Q>(seed, target, evaluate)
     }
 }
 
@@ -197,8 +197,8 @@ mod tests {
             let root = load_integral.powf(1.0 / 41.0);
             for error in [-1e-6, 1e-7, 1e-6] {
                 let seed = f64::from((root * (1.0 + error)) as f32);
-                let steepness = NestedPowers::of(seed).plus(1.0, 41.0).of_lowest_power::<41>();
-                let radius = RootOf::<_, 7>(OwnUnits).radius(seed, steepness, Target::of(load_integral));
+                let evaluate = |x| NestedPowers::of(x).plus(1.0, 41.0).of_lowest_power::<41>();
+                let radius = RootOf::<_, 7>(OwnUnits).radius(seed, Target::of(load_integral), evaluate);
                 // Half an ε from each result, and the effect of rounding the exponent.
                 let difference = radius / load_integral.powf(7.0 / 41.0) - 1.0;
                 assert!(difference.abs() < 2.0 * f64::EPSILON, "{load_integral}, {error}: {difference:e}");
