@@ -9,6 +9,9 @@
 //! instructions only find the error of a product, which has no other value where it is representable: see
 //! [`DoubleWord`](crate::numbers::double_word::DoubleWord).
 
+use crate::Scalar;
+use crate::scalar::has_no_derivatives;
+
 /// Runs `work`, whose loops over values may use wide vectors if the feature `simd` is on.
 ///
 /// Only code that is inlined into `work` gains: `work` itself and the functions that its loops call must be
@@ -20,6 +23,13 @@
 )]
 pub(crate) fn wide<R, W: FnOnce() -> R>(work: W) -> R {
     work()
+}
+
+/// [`wide`] for numbers without derivatives. Vectors of numbers with some are filled by shuffles, which take longer than
+/// what they save.
+#[inline(always)]
+pub(crate) fn wide_without_derivatives<T: Scalar, R>(work: impl FnOnce() -> R) -> R {
+    if has_no_derivatives::<T>() { wide(work) } else { work() }
 }
 
 /// [`wide`] without the widest vectors, for loops over a few dozen values between code that has none.

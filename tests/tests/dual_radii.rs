@@ -128,8 +128,8 @@ fn weighted(terms: &[(f64, f64)]) -> Vec<(f64, f64)> {
     terms.iter().map(|&(c, n)| (c * n / ((n + 2.0) * (n + 4.0)), n + 4.0)).collect()
 }
 
-/// In ε: the closed forms themselves are sums of rounded powers, of which fifth powers are taken; the worst here is 67, of
-/// a third derivative with respect to a coefficient of a vanishing share in J.
+/// In ε: the closed forms themselves are sums of rounded powers, of which fifth powers are taken; the worst here is 67,
+/// of a third derivative with respect to a coefficient of a vanishing share in J.
 const ALLOWED: f64 = 100.0;
 
 /// The largest error of derivatives in units of ε.

@@ -12,6 +12,10 @@
 //! fraction of the time that one after the other takes, and summed; nothing else is done for each piece. A step is a
 //! piece that takes no time.
 //!
+//! **Steps that only derivatives show** may lie between any two pieces, told or not: a force of equal value may have
+//! other derivatives. Where numbers carry some, there is a node more for each piece, half-way up the step before it: that
+//! is exact to second order in the step, and so in derivatives.
+//!
 //! **Which rule** is long enough for a piece: [`rule`].
 //!
 //! **Where w = a⁻⁴ has a singularity of its own**, which is where δ₀′ vanishes in the plane of complex radii, the radii
@@ -22,11 +26,12 @@ mod rule;
 use super::Increment;
 use super::radii_below::replace_drops_by_radii;
 use crate::contact::Contact;
-use crate::dispatch::wide;
+use crate::dispatch::wide_without_derivatives;
 use crate::load::{Load, MOST_PIECES, Piece};
 use crate::numbers::compensated_sum::CompensatedSum;
 use crate::numbers::exponential::decay;
 use crate::quadrature::Rule;
+use crate::scalar::has_no_derivatives;
 use crate::{GapProfile, Scalar};
 use rule::{Growth, RULES, ShortRule};
 
@@ -37,6 +42,22 @@ const MOST_NODES_OF_BATCH: usize = 6 * MOST_PIECES;
 /// The most nodes of a step: one that takes more costs less over the radius.
 const fn most_nodes_of_step(has_quick_radii: bool) -> usize {
     if has_quick_radii { 8 } else { 6 }
+}
+
+/// By how many e-foldings less a piece counts as faded where derivatives do: of a rule with n nodes those of second order
+/// are off by up to (2n)² times as much as the value.
+const OF_DERIVATIVES: f64 = 6.4;
+
+/// The step of no height between a force and a piece that begins with it, and may have other derivatives.
+#[inline(always)]
+fn hidden_step<T: Scalar>(before: T, piece: &Piece<T>) -> T {
+    if has_no_derivatives::<T>() { T::zero() } else { piece.start.1 - before }
+}
+
+/// How many nodes a piece has, with that of the hidden step before it.
+#[inline(always)]
+fn nodes_of_piece<T: Scalar>(rule: &Rule) -> usize {
+    rule.len() + usize::from(!has_no_derivatives::<T>())
 }
 
 /// A number for every piece.
@@ -89,6 +110,7 @@ impl<T: Scalar> Batch<T> {
         let mut batch = Self::none(impulse);
         // The logarithm of how much larger the rounding of T is than that of f64.
         let coarse = (T::default_epsilon() * T::constant(1.0 / f64::EPSILON)).ln();
+        let coarse = if has_no_derivatives::<T>() { coarse } else { coarse - T::constant(OF_DERIVATIVES) };
         let mut rules = RULES.iter();
         let mut rule = rules.next();
         let mut force = pieces.first().map_or(T::zero(), |piece| piece.start.1);
@@ -98,7 +120,7 @@ impl<T: Scalar> Batch<T> {
                 break;
             }
             let growth = Growth::along(piece, chi);
-            let gain = batch.gain + growth.in_all();
+            let gain = batch.gain + hidden_step(force, piece) + growth.in_all();
             let faded = coarse + faded(piece);
             while rule.is_some_and(|rule| !rule.suffices(&growth, begin + gain, faded)) {
                 rule = rules.next();
@@ -106,7 +128,7 @@ impl<T: Scalar> Batch<T> {
             let most =
                 if piece.is_step() { most_nodes_of_step(has_quick_radii) } else { MOST_NODES_OF_BATCH };
             let Some(ShortRule { rule, .. }) = rule else { break };
-            if rule.len() > most || rule.len() * (batch.count + 1) > MOST_NODES_OF_BATCH {
+            if rule.len() > most || nodes_of_piece::<T>(rule) * (batch.count + 1) > MOST_NODES_OF_BATCH {
                 break;
             }
             batch.rule = rule;
@@ -150,6 +172,7 @@ impl<T: Scalar> Batch<T> {
     pub(super) fn increment<P, L>(
         &self,
         contact: &Contact<T, P, L>,
+        pieces: &[Piece<T>],
         (low, edge): (T, T),
         remaining: T,
     ) -> Option<Increment<T>>
@@ -159,14 +182,14 @@ impl<T: Scalar> Batch<T> {
     {
         let zero = [T::zero(); MOST_NODES_OF_BATCH];
         let (mut load_integrals, mut weights, mut radii) = (zero, zero, zero);
-        let nodes = ..(self.count * self.rule.len()).min(MOST_NODES_OF_BATCH);
+        let nodes = ..(self.count * nodes_of_piece::<T>(self.rule)).min(MOST_NODES_OF_BATCH);
         let (load_integrals, weights) = (&mut load_integrals[nodes], &mut weights[nodes]);
         let radii = &mut radii[nodes];
-        wide(
+        wide_without_derivatives::<T, _>(
             #[inline(always)]
             || {
                 // Until the radii are found, their places hold the ages.
-                self.fill(load_integrals, weights, radii);
+                self.fill(pieces, load_integrals, weights, radii);
                 load_integrals.iter_mut().for_each(|hereditary| *hereditary *= contact.integral_per_load());
             },
         );
@@ -174,7 +197,7 @@ impl<T: Scalar> Batch<T> {
             return None;
         }
         let are_positive = contact.profile().has_only_positive_terms();
-        wide(
+        wide_without_derivatives::<T, _>(
             #[inline(always)]
             || {
                 // The weights are forces.
@@ -197,7 +220,7 @@ impl<T: Scalar> Batch<T> {
         P: GapProfile<T>,
         L: Load<T>,
     {
-        if contact.profile().has_quick_radii() {
+        if contact.profile().has_quick_radii() || !has_no_derivatives::<T>() {
             return contact.radii_of(load_integrals, radii).is_ok();
         }
         let [.., last] = self.hereditary[..self.count] else { return false };
@@ -209,9 +232,23 @@ impl<T: Scalar> Batch<T> {
     }
 
     /// The hereditary loads at the nodes, one row of all pieces for each node of the rule, and the weights, which are
-    /// what Y gains there and is left at the end.
+    /// what Y gains there and is left at the end. A last row has the hidden steps.
     #[inline(always)]
-    fn fill(&self, hereditary: &mut [T], weights: &mut [T], ages: &mut [T]) {
+    fn fill(&self, pieces: &[Piece<T>], hereditary: &mut [T], weights: &mut [T], ages: &mut [T]) {
+        let of_steps = self.count * self.rule.len();
+        if !has_no_derivatives::<T>() && hereditary.len() > of_steps {
+            let half = T::constant(0.5);
+            let rows =
+                hereditary[of_steps..].iter_mut().zip(&mut weights[of_steps..]).zip(&mut ages[of_steps..]);
+            let mut before = pieces.first().map_or(T::zero(), |piece| piece.start.1);
+            for (place, (((hereditary, weight), age), piece)) in rows.zip(pieces).enumerate() {
+                let step = hidden_step(before, piece);
+                let growth = self.rates[place] - self.bends[place] * half;
+                (*hereditary, *weight) = (self.hereditary[place] - growth - step * half, step);
+                *age = self.since_end[place] + self.folds[place];
+                before = piece.end.1;
+            }
+        }
         let rows = self.rows_mut(hereditary).zip(self.rows_mut(weights)).zip(self.rows_mut(ages));
         for (((hereditary, weights), ages), (v, weight)) in rows.zip(self.rule.nodes(T::zero(), T::one())) {
             let half = v * T::constant(0.5);

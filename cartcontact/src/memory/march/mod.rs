@@ -152,9 +152,8 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
     /// returns how many these are.
     fn advance_along_first(&mut self, pieces: &[Piece<T>]) -> usize {
         let mut count = 1 + usize::from(pieces.get(1).is_some_and(Piece::is_step));
-        // A single piece costs less over the radius, and between two pieces there may be a step that only derivatives
-        // show.
-        if pieces.len() > 1 && has_no_derivatives::<T>() && self.is_covered() {
+        // A single piece costs less over the radius.
+        if pieces.len() > 1 && self.is_covered() {
             let batch = Batch::of(self.contact, pieces, self.now.impulse, |piece| self.faded_since(piece));
             if batch.len() > 1 {
                 count = batch.len();
@@ -163,12 +162,18 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
                 }
             }
         }
+        let mut before = None;
         for piece in pieces.iter().take(count) {
+            // Between two pieces there may be a step that only derivatives show.
+            if let Some(before) = before.filter(|_| !has_no_derivatives::<T>()) {
+                self.jump(before, piece.start.1);
+            }
             if piece.is_step() {
                 self.jump(piece.start.1, piece.end.1);
             } else {
                 self.advance_straight(*piece);
             }
+            before = Some(piece.end.1);
         }
         count
     }
@@ -180,7 +185,8 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         let (end, force) = last.end;
         let share = (-self.faded_since(last)).exp();
         let radius = self.radius_after(batch.impulse, last.end);
-        let Some(mut increment) = batch.increment(contact, (self.transition.reach, radius), share) else {
+        let Some(mut increment) = batch.increment(contact, pieces, (self.transition.reach, radius), share)
+        else {
             return false;
         };
         let fading = Fading::over(chi * (end - self.now.time));
