@@ -196,15 +196,19 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
         // A loop without branches; its values beyond the radius at the start mean nothing and are replaced by the next
         // loop.
         let (profile, m) = (self.contact.profile(), self.contact.medium().m());
-        let initial_stiffness = if start.time.is_zero() { m } else { T::zero() };
+        let is_whole_history = start.time.is_zero();
         let (a, strip) = (start.radius, start.strip(self.contact.integral_per_load()));
         let initial = &mut *pressures;
         wide(
             #[inline(always)]
             move || {
                 for (pressure, &r) in initial.iter_mut().zip(radii) {
-                    let kernel = kernel_with_strip(profile, (a, strip), r);
-                    *pressure = from_start.apply(initial_stiffness * kernel, r);
+                    let initial = if is_whole_history {
+                        m * kernel_with_strip(profile, (a, strip), r)
+                    } else {
+                        T::zero()
+                    };
+                    *pressure = from_start.apply(initial, r);
                 }
             },
         );

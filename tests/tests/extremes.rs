@@ -27,6 +27,31 @@ fn powers_need_not_be_in_range() -> Result<(), Box<dyn core::error::Error>> {
     Ok(())
 }
 
+/// C aⁿ⁺² is out of range in f32, but n times that is not.
+#[test]
+fn coefficients_of_tiny_exponents_need_not_be_in_range() -> Result<(), Box<dyn core::error::Error>> {
+    /// Pressures at two times, alone and in a field.
+    fn pressures<T: Scalar>() -> Result<[[f64; 4]; 2], Box<dyn core::error::Error>> {
+        let [c, n, m, chi, force] = [9e21, 1e-36, 2e5, 150.0, 1e26].map(T::constant);
+        let contact =
+            Contact::new(Polynomial::new([(c, n)])?, Medium::from_constants(m, chi)?, Constant(force))?;
+        let (times, radii) = ([0.0, 1.0].map(T::constant), [1e8, 8e8].map(T::constant));
+        let mut field = [T::zero(); 4];
+        contact.pressure_field(&times, &radii, &mut field)?;
+        let mut last = [T::zero(); 2];
+        contact.pressure_field(&times[1..], &radii, &mut last)?;
+        assert_eq!(last, field[2..]);
+        let [first, second] = [contact.at(times[0])?, contact.at(times[1])?];
+        let alone = [first, second].map(|now| radii.map(|r| now.pressure(r).value()));
+        Ok([*alone.as_flattened().first_chunk().ok_or("four pressures")?, field.map(T::value)])
+    }
+    let (single, double) = (pressures::<f32>()?, pressures::<f64>()?);
+    for (found, expected) in single.as_flattened().iter().zip(double.as_flattened()) {
+        assert!((found / expected - 1.0).abs() < 1e-5, "{single:?} instead of {double:?}");
+    }
+    Ok(())
+}
+
 /// A sphere on another one or on a plane.
 #[gap_profile(r^2 / (2 * upper) - r^2 / (2 * lower))]
 struct SphereOnSphere {

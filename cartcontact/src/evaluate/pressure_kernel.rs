@@ -12,6 +12,7 @@ use super::coefficient::Coefficient;
 use super::kernel_of_term::{Order, Position};
 use super::power::{plain_whole_term, quarter_root};
 use crate::Scalar;
+use crate::dispatch::out_of_line;
 use crate::numbers::double_word::DoubleWord;
 use crate::numbers::exponent::Exponent;
 use crate::scalar::has_no_derivatives;
@@ -42,9 +43,15 @@ pub(super) fn pressure_kernel_zero_first<T: Scalar, C: Coefficient<T>>(
 /// [`pressure_kernel`] in plain arithmetic: on the axis within 8 ε. Elsewhere a long tent multiplies the rounding of q;
 /// up to 15 ε was seen with quarters, and 16 ε at the power 100.
 #[inline]
-pub fn quick_pressure_kernel<T: Scalar>(a: T, r: T, terms: impl IntoIterator<Item = (T, Exponent<T>)>) -> T {
-    let sum: Word<T> = sum_of_kernels(a, r, terms, Order::PowerFirst);
-    sum.rounded()
+pub fn quick_pressure_kernel<T: Scalar>(
+    a: T,
+    r: T,
+    terms: impl IntoIterator<Item = (T, Exponent<T>)> + Clone,
+) -> T {
+    let sum = |terms, order| -> T { sum_of_kernels::<_, Word<T>, _>(a, r, terms, order).rounded() };
+    let quick = sum(terms.clone(), Order::PowerFirst);
+    // C a^(n+2) of a tiny exponent n may leave the format where n C a^(n+2) does not.
+    if quick.is_finite() { quick } else { out_of_line(move || sum(terms, Order::ZeroFirst)) }
 }
 
 /// G(a, r) of a gap of low multiples of 1/`D`, for 2 or 4, in plain arithmetic, zero for r ≥ a, within 10 ε. A weight is
@@ -55,7 +62,7 @@ pub fn quick_pressure_kernel_in_root<T: Scalar, const D: usize, const N: usize, 
     a: T,
     r: T,
     weights: [(T, usize); COUNT],
-    terms: impl IntoIterator<Item = (T, Exponent<T>)>,
+    terms: impl IntoIterator<Item = (T, Exponent<T>)> + Clone,
 ) -> T {
     if has_no_derivatives::<T>() {
         sum_in_root::<T, D, N>(a, r, &weights)
