@@ -1,8 +1,7 @@
 //! Functions of the bits of f64 and f32, without branches, so that they compile to vector code.
 //!
 //! Each format is read from its own bits: a microcontroller's f32 never passes through f64. Of dual numbers these are the
-//! bits of the value. Digits are binary, here and
-//! wherever a number is said to have all, half or few of its digits.
+//! bits of the value. Digits are binary, here and wherever a number is said to have all, half or few of its digits.
 
 use super::binary::scale;
 use crate::Scalar;

@@ -58,8 +58,8 @@ where
         }
     }
 
-    /// The radius at which J is `load_integral`, and whether the steps have found it; `more` is the number
-    /// of steps beyond those that usually suffice.
+    /// The radius at which J is `load_integral`, and whether the steps have found it; `more` is the number of steps beyond
+    /// those that usually suffice.
     #[inline(always)]
     pub fn solve(&self, load_integral: T, more: u32) -> (T, bool) {
         let [lowest, .., highest] = self.powers[..] else { return (load_integral, false) };

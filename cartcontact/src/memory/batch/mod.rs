@@ -13,8 +13,8 @@
 //! piece that takes no time.
 //!
 //! **Steps that only derivatives show** may lie between any two pieces, told or not: a force of equal value may have
-//! other derivatives. Where numbers carry some, there is a node more for each piece, half-way up the step before it: that
-//! is exact to second order in the step, and so in derivatives.
+//! other derivatives. Where numbers carry some, there is a node more for each piece, half-way up the step before it:
+//! that is exact to second order in the step, and so in derivatives.
 //!
 //! **Which rule** is long enough for a piece: [`rule`].
 //!
