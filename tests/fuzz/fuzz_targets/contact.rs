@@ -8,8 +8,14 @@ use tests::stress::soundness;
 
 fuzz_target!(|data: &[u8]| {
     let mut data = Unstructured::new(data);
-    let scene = soundness::scene(&mut || data.arbitrary().unwrap_or_default());
-    if let Err(unsound) = soundness::check(&scene) {
+    let is_single = data.arbitrary().unwrap_or_default();
+    let mut word = || data.arbitrary().unwrap_or_default();
+    let checked = if is_single {
+        soundness::check::<f32>(&soundness::scene(&mut word))
+    } else {
+        soundness::check::<f64>(&soundness::scene(&mut word))
+    };
+    if let Err(unsound) = checked {
         panic!("{unsound}");
     }
 });

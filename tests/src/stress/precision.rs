@@ -16,6 +16,9 @@ pub trait Precision: Scalar {
     /// Decades that loads, moduli and lengths may span on either side of 1.
     const DECADES: f64;
 
+    /// The number whose bits are the leading ones of a word.
+    fn from_leading_bits(word: u64) -> Self;
+
     /// The exact number 2^k.
     fn power_of_two(k: i32) -> Self {
         Self::constant(2_f64.powi(k))
@@ -34,6 +37,10 @@ impl Precision for f64 {
     const MOST: f64 = f64::MAX;
     const DECADES: f64 = 150.0;
 
+    fn from_leading_bits(word: u64) -> Self {
+        f64::from_bits(word)
+    }
+
     fn solver(case: &Case) -> &'static dyn GapProfile<Self> {
         case.double
     }
@@ -48,6 +55,10 @@ impl Precision for f32 {
     const LEAST: f64 = f32::MIN_POSITIVE as f64;
     const MOST: f64 = f32::MAX as f64;
     const DECADES: f64 = 18.0;
+
+    fn from_leading_bits(word: u64) -> Self {
+        f32::from_bits((word >> 32) as u32)
+    }
 
     fn solver(case: &Case) -> &'static dyn GapProfile<Self> {
         case.single
