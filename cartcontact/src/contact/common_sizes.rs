@@ -1,6 +1,6 @@
 //! Numbers of common size, with which no formula leaves the format.
 //!
-//! Whether a contact has all its digits depends on Y, χ F, 4 F/(π m), J, a⁴, J/a⁵, F/a⁴, 4 F/(π m a⁴), a J′, δ₀′ and,
+//! Whether a contact has all its digits depends on 2 Y, 2 χ F, 4 F/(π m), J, a⁴, J/a⁵, F/a⁴, 4 F/(π m a⁴), a J′, δ₀′ and,
 //! with an exponent below 1, √(8/ε) δ₀′. Of these a J′ and δ₀′ are J and J/a⁵ up to a factor of at most 2056; J is not
 //! below 4 F/(π m), and Y/J is F over that. If force, these two load integrals, radius and rate lie between 1/b and b, or
 //! the rate at 0, and the time between 0 and b, all others are normal numbers between b⁻⁶ and b⁶, up to that factor and

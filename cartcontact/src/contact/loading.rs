@@ -18,7 +18,7 @@ impl<T: Scalar> Loading<T> {
         Self { force, impulse, hereditary: force + chi * impulse }
     }
 
-    /// Whether F, χ F, ∫F, Y, the load integral of the force and that of the whole load are normal numbers. A force of
+    /// Whether F, 2 χ F, ∫F, 2 Y, the load integral of the force and that of the whole load are normal numbers. A force of
     /// zero may be one of them, χ F if χ is zero, and an impulse that is no more than a rounding of the force.
     #[inline(always)]
     pub(super) fn has_digits(&self, chi: T, (of_force, load_integral): (T, T)) -> bool {
@@ -29,7 +29,8 @@ impl<T: Scalar> Loading<T> {
         // An impulse below the normal numbers is off by up to ε times the least of these, which is a rounding of the
         // force if χ times the least is no more than the force.
         let has_impulse = (chi <= force * least.recip()) | (self.impulse >= least);
-        let is_finite = self.hereditary.is_finite() & load_integral.is_finite();
+        // Before anything has drained, a² P(0, t) is up to 4 Y/π.
+        let is_finite = (self.hereditary + self.hereditary).is_finite() & load_integral.is_finite();
         has_force & has_impulse & (load_integral >= least) & is_finite
     }
 }

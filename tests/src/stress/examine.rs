@@ -153,6 +153,7 @@ impl<T: Precision> Examination<'_, T> {
         let numbers = [y.value(), force, force * chi, impulse, fourth, slope, curvature, drained_slope];
         numbers.into_iter().any(|x| x < T::LEAST * (1.0 + 4.0 * T::EPSILON))
             || fourth > T::MOST * (1.0 - 8.0 * T::EPSILON)
+            || (y * self.exact.stiffness()).value() > T::MOST * (0.5 - 8.0 * T::EPSILON)
             || growth > T::MOST * (0.5 - 8.0 * T::EPSILON)
     }
 
