@@ -18,8 +18,8 @@ impl<T: Scalar> Loading<T> {
         Self { force, impulse, hereditary: force + chi * impulse }
     }
 
-    /// Whether F, 2 χ F, ∫F, 2 Y, the load integral of the force and that of the whole load are normal numbers. A force of
-    /// zero may be one of them, χ F if χ is zero, and an impulse that is no more than a rounding of the force.
+    /// Whether F, 2 χ F, ∫F, 2 Y, the load integral of the force and that of the whole load are normal numbers. A force
+    /// of zero may be one of them, χ F if χ is zero, and an impulse that is no more than a rounding of the force.
     #[inline(always)]
     pub(super) fn has_digits(&self, chi: T, (of_force, load_integral): (T, T)) -> bool {
         let (force, least) = (self.force, smallest_normal());
