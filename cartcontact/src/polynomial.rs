@@ -127,6 +127,15 @@ impl<T: Scalar, S: Pairs<T>> Polynomial<T, S> {
         self.map(|c, n| (c, Exponent::of(n)))
     }
 
+    /// The terms of the pressure kernel, a multiple of n C where n is tiny: ε² for n and C n/ε² for C make no difference
+    /// then, but keep digits that K would lose, and C a^(n+2) in the format.
+    fn powers_of_kernel(&self) -> impl Iterator<Item = (T, Exponent<T>)> + Clone {
+        let least = T::default_epsilon() * T::default_epsilon();
+        self.map(
+            move |c, n| if n < least { (c * (n / least), Exponent::of(least)) } else { (c, Exponent::of(n)) },
+        )
+    }
+
     /// The terms of J: (C n/((n+2)(n+4)), n+4).
     fn load_integral_terms(&self) -> impl Iterator<Item = (T, Exponent<T>)> + Clone {
         self.map(|c, n| (c * (n / load_integral_divisor(n)), Exponent::of(n).plus(4)))
@@ -187,7 +196,7 @@ impl<T: Scalar, S: Pairs<T>> GapProfile<T> for Polynomial<T, S> {
     }
 
     fn pressure_kernel(&self, a: T, r: T) -> T {
-        in_double_words!(FUSED => pressure_kernel::<_, _, _, FUSED>(a, r, self.powers()))
+        in_double_words!(FUSED => pressure_kernel::<_, _, _, FUSED>(a, r, self.powers_of_kernel()))
     }
 
     fn excess_on_axis(&self, a: T) -> T {
@@ -211,7 +220,7 @@ impl<T: Scalar, S: Pairs<T>> GapProfile<T> for Polynomial<T, S> {
     }
 
     fn quick_pressure_kernel(&self, a: T, r: T) -> T {
-        quick_pressure_kernel(a, r, self.powers())
+        quick_pressure_kernel(a, r, self.powers_of_kernel())
     }
 
     fn radius_within(&self, load_integral: T, limit: T) -> Result<T, RadiusError> {

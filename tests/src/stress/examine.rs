@@ -67,12 +67,14 @@ impl<T: Precision> Examination<'_, T> {
         let contact = self.contact;
         let time = Wide::of(self.scene.time.value());
         let hereditary = self.exact.hereditary(time);
-        // A load that rounds to zero is no load.
-        if hereditary.value() < T::LEAST * T::EPSILON {
+        let y = hereditary / self.exact.stiffness();
+        // A load that rounds to zero is no load, and so is one whose force and impulse do.
+        let rounds_to_zero = |x: f64| x < T::LEAST * T::EPSILON;
+        let [force, impulse] = [self.exact.force(time).value(), self.impulse(time, y)];
+        if rounds_to_zero(hereditary.value()) || rounds_to_zero(force) && rounds_to_zero(impulse) {
             self.findings.count(Tally::Unsolved);
             return self.unloaded();
         }
-        let y = hereditary / self.exact.stiffness();
         let now = contact.at(self.scene.time);
         let found = now.as_ref().map_or(f64::NAN, |now| now.radius().value());
         let estimate = if found > 0.0 { Wide::of(found) } else { self.exact.profile.one_term_radius(y) };

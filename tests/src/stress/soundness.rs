@@ -91,3 +91,55 @@ impl Findings for Unsound {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn assert_sound<T: Precision>(
+        (c, n): (f64, f64),
+        (m, chi): (f64, f64),
+        knots: &[(f64, f64)],
+        (time, inset): (f64, f64),
+    ) {
+        let scene = Scene::<T> {
+            form: Form::Polynomial,
+            terms: vec![(T::constant(c), T::constant(n))],
+            max_radius: None,
+            m: T::constant(m),
+            chi: T::constant(chi),
+            knots: knots.iter().map(|&(t, force)| (T::constant(t), T::constant(force))).collect(),
+            time: T::constant(time),
+            inset,
+        };
+        let found = check(&scene);
+        assert!(found.is_ok(), "{}", found.err().unwrap_or_default());
+    }
+
+    /// Found by fuzzing: slopes that lose digits once a load has drained, C aⁿ⁺² and a² P beyond the largest number,
+    /// a force and an impulse that round to zero beside their sum, which does not, and K below the smallest number.
+    #[test]
+    fn scenes_at_the_ends_of_the_formats_are_sound() {
+        let drained = (32_350_100_463.522_52, 0.237);
+        let held = [(0.0, 2.860_840_130_871_601_3e-283)];
+        assert_sound::<f64>((1.76, 2.525_301_555_949_885_7e-302), (drained.0, 0.0417), &held, drained);
+        let falling = [(0.0, 6.770_423_4e22), (189_104.2, 578.0), (294_104.2, 88e3), (382_104.2, 88e3)];
+        assert_sound::<f32>(
+            (9.445_885e21, 1.555_755_2e-36),
+            (189_104.2, 141.986_27),
+            &falling,
+            (578.0, 0.99),
+        );
+        let held = [(0.0, 3.376_252e38)];
+        assert_sound::<f32>(
+            (2.478_433e17, 1.432_511_7e-3),
+            (48.747_055, 1.44e-4),
+            &held,
+            (3.345_713e-11, 0.943),
+        );
+        let stepped = [(0.0, 0.0), (18_183_096.5, 2.121_995_791e-314), (18_183_096.5, 101_509.1)];
+        assert_sound::<f64>((1.2e163, 12.75), (1.12e8, 2.06e283), &stepped, (5e-7, 0.405));
+        let held = [(0.0, 2.223_081_2e-3)];
+        assert_sound::<f32>((7.741_458e31, 8.217_346e-34), (2.207_738_6e-18, 1.36e-5), &held, (0.0, 0.09));
+    }
+}
