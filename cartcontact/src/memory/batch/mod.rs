@@ -74,6 +74,8 @@ pub(super) struct Batch<T> {
     hereditary: PerPiece<T>,
     rates: PerPiece<T>,
     bends: PerPiece<T>,
+    /// The steps before the pieces that only derivatives show.
+    hidden_steps: PerPiece<T>,
     /// By how much the hereditary load grows in all.
     pub(super) gain: T,
     /// ∫F at the end.
@@ -92,6 +94,7 @@ impl<T: Scalar> Batch<T> {
             hereditary: none,
             rates: none,
             bends: none,
+            hidden_steps: none,
             gain: T::zero(),
             impulse,
         }
@@ -120,7 +123,8 @@ impl<T: Scalar> Batch<T> {
                 break;
             }
             let growth = Growth::along(piece, chi);
-            let gain = batch.gain + hidden_step(force, piece) + growth.in_all();
+            let hidden_step = hidden_step(force, piece);
+            let gain = batch.gain + hidden_step + growth.in_all();
             let faded = coarse + faded(piece);
             while rule.is_some_and(|rule| !rule.suffices(&growth, begin + gain, faded)) {
                 rule = rules.next();
@@ -132,7 +136,7 @@ impl<T: Scalar> Batch<T> {
                 break;
             }
             batch.rule = rule;
-            batch.push(&growth, begin + gain);
+            batch.push(&growth, hidden_step, begin + gain);
             batch.gain = gain;
             batch.impulse.add(piece.impulse());
             force = piece.end.1;
@@ -141,13 +145,14 @@ impl<T: Scalar> Batch<T> {
         batch
     }
 
-    /// Takes one more piece, with the hereditary load at its end.
-    fn push(&mut self, growth: &Growth<T>, hereditary: T) {
+    /// Takes one more piece, with the hidden step before it and the hereditary load at its end.
+    fn push(&mut self, growth: &Growth<T>, hidden_step: T, hereditary: T) {
         let place = self.count;
         self.folds[place] = growth.folds;
         self.hereditary[place] = hereditary;
         self.rates[place] = growth.rate;
         self.bends[place] = growth.bend;
+        self.hidden_steps[place] = hidden_step;
         self.count += 1;
     }
 
@@ -172,7 +177,6 @@ impl<T: Scalar> Batch<T> {
     pub(super) fn increment<P, L>(
         &self,
         contact: &Contact<T, P, L>,
-        pieces: &[Piece<T>],
         (low, edge): (T, T),
         remaining: T,
     ) -> Option<Increment<T>>
@@ -189,7 +193,7 @@ impl<T: Scalar> Batch<T> {
             #[inline(always)]
             || {
                 // Until the radii are found, their places hold the ages.
-                self.fill(pieces, load_integrals, weights, radii);
+                self.fill(load_integrals, weights, radii);
                 load_integrals.iter_mut().for_each(|hereditary| *hereditary *= contact.integral_per_load());
             },
         );
@@ -234,23 +238,19 @@ impl<T: Scalar> Batch<T> {
     /// The hereditary loads at the nodes, one row of all pieces for each node of the rule, and the weights, which are
     /// what Y gains there and is left at the end. A last row has the hidden steps.
     #[inline(always)]
-    fn fill(&self, pieces: &[Piece<T>], hereditary: &mut [T], weights: &mut [T], ages: &mut [T]) {
-        let of_steps = self.count * self.rule.len();
-        if !has_no_derivatives::<T>() && hereditary.len() > of_steps {
-            let half = T::constant(0.5);
-            let rows =
-                hereditary[of_steps..].iter_mut().zip(&mut weights[of_steps..]).zip(&mut ages[of_steps..]);
-            let mut before = pieces.first().map_or(T::zero(), |piece| piece.start.1);
-            for (place, (((hereditary, weight), age), piece)) in rows.zip(pieces).enumerate() {
-                let step = hidden_step(before, piece);
-                let growth = self.rates[place] - self.bends[place] * half;
-                (*hereditary, *weight) = (self.hereditary[place] - growth - step * half, step);
-                *age = self.since_end[place] + self.folds[place];
-                before = piece.end.1;
-            }
+    fn fill(&self, hereditary: &mut [T], weights: &mut [T], ages: &mut [T]) {
+        self.fill_rows(hereditary, weights, ages);
+        for (weight, &age) in weights.iter_mut().zip(&*ages) {
+            *weight *= decay(age);
         }
-        let rows = self.rows_mut(hereditary).zip(self.rows_mut(weights)).zip(self.rows_mut(ages));
-        for (((hereditary, weights), ages), (v, weight)) in rows.zip(self.rule.nodes(T::zero(), T::one())) {
+    }
+
+    /// The hereditary loads at the nodes, what Y gains there, and how old that is at the end.
+    #[inline(always)]
+    fn fill_rows(&self, hereditary: &mut [T], weights: &mut [T], ages: &mut [T]) {
+        let mut rows = self.rows_mut(hereditary).zip(self.rows_mut(weights)).zip(self.rows_mut(ages));
+        let nodes = self.rule.nodes(T::zero(), T::one());
+        for ((v, weight), ((hereditary, weights), ages)) in nodes.zip(&mut rows) {
             let half = v * T::constant(0.5);
             let growth = self.hereditary.iter().zip(&self.rates).zip(&self.bends);
             let places = hereditary.iter_mut().zip(weights);
@@ -262,8 +262,19 @@ impl<T: Scalar> Batch<T> {
                 *age = since_end + folds * v;
             }
         }
-        for (weight, &age) in weights.iter_mut().zip(&*ages) {
-            *weight *= decay(age);
+        if let Some(((hereditary, weights), ages)) = rows.next() {
+            self.fill_hidden_steps(hereditary, weights, ages);
+        }
+    }
+
+    /// The same half-way up the hidden steps, where the pieces begin.
+    fn fill_hidden_steps(&self, hereditary: &mut [T], weights: &mut [T], ages: &mut [T]) {
+        let half = T::constant(0.5);
+        let places = hereditary.iter_mut().zip(weights).zip(ages);
+        for (place, (((hereditary, weight), age), &step)) in places.zip(&self.hidden_steps).enumerate() {
+            let growth = self.rates[place] - self.bends[place] * half;
+            (*hereditary, *weight) = (self.hereditary[place] - growth - step * half, step);
+            *age = self.since_end[place] + self.folds[place];
         }
     }
 

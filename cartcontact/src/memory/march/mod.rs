@@ -185,8 +185,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         let (end, force) = last.end;
         let share = (-self.faded_since(last)).exp();
         let radius = self.radius_after(batch.impulse, last.end);
-        let Some(mut increment) = batch.increment(contact, pieces, (self.transition.reach, radius), share)
-        else {
+        let Some(mut increment) = batch.increment(contact, (self.transition.reach, radius), share) else {
             return false;
         };
         let fading = Fading::over(chi * (end - self.now.time));
