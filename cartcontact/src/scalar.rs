@@ -167,6 +167,26 @@ pub(crate) fn without_derivatives<T: Scalar>(x: T) -> T {
     if has_no_derivatives::<T>() { x } else { T::constant(x.value()) }
 }
 
+/// The derivatives alone, beside a value of zero.
+#[inline(always)]
+pub(crate) fn derivatives<T: Scalar>(x: T) -> T {
+    x - without_derivatives(x)
+}
+
+/// A function of the values of numbers, each in its own format, without derivatives.
+#[inline(always)]
+pub(crate) fn of_values<T: Scalar, const N: usize>(
+    numbers: [T; N],
+    single: impl Fn([f32; N]) -> f32,
+    double: impl Fn([f64; N]) -> f64,
+) -> T {
+    if is_single::<T>() {
+        from_single(single(numbers.map(single_value)))
+    } else {
+        T::constant(double(numbers.map(T::value)))
+    }
+}
+
 /// Whether a number is zero and cannot carry a derivative.
 #[inline]
 pub(crate) fn is_plain_zero<T: Scalar>(x: T) -> bool {
@@ -179,7 +199,7 @@ pub(crate) fn raised_to_zero<T: Scalar>(x: T) -> T {
     if has_no_derivatives::<T>() {
         x.max(T::zero())
     } else if x < T::zero() {
-        x - without_derivatives(x)
+        derivatives(x)
     } else {
         x
     }

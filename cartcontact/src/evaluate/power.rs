@@ -4,9 +4,7 @@ use crate::Scalar;
 use crate::numbers::bits::{rough_ln, with_half_its_digits};
 use crate::numbers::double_word::DoubleWord;
 use crate::numbers::exponent::Exponent;
-use crate::scalar::{
-    from_single, has_no_derivatives, is_plain_zero, is_single, single_value, smallest_normal,
-};
+use crate::scalar::{has_no_derivatives, is_plain_zero, of_values, smallest_normal};
 
 /// x^k by binary powering.
 #[inline]
@@ -218,11 +216,7 @@ pub(super) fn real_fractional_power<T: Scalar>(x: T, fraction: T) -> T {
 
 /// The value of [`real_fractional_power`], without derivatives.
 pub(super) fn value_of_fractional_power<T: Scalar>(x: T, fraction: T) -> T {
-    if is_single::<T>() {
-        from_single(real_fractional_power(single_value(x), single_value(fraction)))
-    } else {
-        T::constant(real_fractional_power(x.value(), fraction.value()))
-    }
+    of_values([x, fraction], |[x, p]| real_fractional_power(x, p), |[x, p]| real_fractional_power(x, p))
 }
 
 #[cfg(test)]

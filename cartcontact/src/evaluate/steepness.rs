@@ -29,7 +29,7 @@ use crate::numbers::bits::{exponent, power_of_two, rough_ln};
 use crate::numbers::double_word::DoubleWord;
 use crate::numbers::exponent::Exponent;
 use crate::numbers::halved::Halved;
-use crate::scalar::{has_no_derivatives, is_plain_zero, without_derivatives};
+use crate::scalar::{derivatives, has_no_derivatives, is_plain_zero};
 
 /// J and its first two derivatives at a radius a, as a step of Halley's method takes them.
 ///
@@ -259,8 +259,7 @@ fn precise_fractional_power<T: Scalar>(x: Halved<T>, fraction: T, rest: T) -> Ha
     if has_no_derivatives::<T>() {
         return power;
     }
-    let with_derivatives = real_fractional_power(x.word(), fraction);
-    power.plus_little(with_derivatives - without_derivatives(with_derivatives))
+    power.plus_little(derivatives(real_fractional_power(x.word(), fraction)))
 }
 
 /// [`fractional_power`], not inlined either.

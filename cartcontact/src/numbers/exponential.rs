@@ -9,13 +9,13 @@
 use super::bits::{nearest_integer, power_of_two};
 use super::series::{four_terms, inverse_factorials};
 use crate::Scalar;
-use crate::scalar::{from_single, has_no_derivatives, is_same, is_single, single_value, without_derivatives};
+use crate::scalar::{derivatives, has_no_derivatives, is_same, of_values};
 
 /// e^(−x) for x above −700, or −80 in single precision, within ε. Beyond 700, or 80, the result is 0.
 #[inline(always)]
 pub(crate) fn decay<T: Scalar>(x: T) -> T {
     if !has_no_derivatives::<T>() {
-        return value_of(x, decay, decay) * (T::one() - loss_of_derivatives(x));
+        return value_of_decay(x) * (T::one() - loss_of_derivatives(x));
     }
     let (gain, power) = reduced(x);
     if x > T::constant(longest::<T>()) { T::zero() } else { power + gain }
@@ -25,24 +25,24 @@ pub(crate) fn decay<T: Scalar>(x: T) -> T {
 #[inline(always)]
 pub(crate) fn loss<T: Scalar>(x: T) -> T {
     if !has_no_derivatives::<T>() {
-        return value_of(x, loss, loss) + value_of(x, decay, decay) * loss_of_derivatives(x);
+        return of_values([x], |[x]| loss(x), |[x]| loss(x)) + value_of_decay(x) * loss_of_derivatives(x);
     }
     let (gain, power) = reduced(x);
     // For n = 0 the difference is exact; for n ≥ 1 the result is at least 1 − 1/√2 = 0.29, so that nothing cancels.
     if x > T::constant(longest::<T>()) { T::one() } else { (T::one() - power) - gain }
 }
 
-/// The value of a function, without derivatives.
+/// The value of [`decay`], without derivatives.
 #[inline(always)]
-fn value_of<T: Scalar>(x: T, single: impl Fn(f32) -> f32, double: impl Fn(f64) -> f64) -> T {
-    if is_single::<T>() { from_single(single(single_value(x))) } else { T::constant(double(x.value())) }
+fn value_of_decay<T: Scalar>(x: T) -> T {
+    of_values([x], |[x]| decay(x), |[x]| decay(x))
 }
 
 /// 1 − e^(−d) of what x has beside its value: derivatives, of which the fourth power vanishes. A library's exponential is
 /// not only slower, but is slowed down itself by the vectors around it.
 #[inline(always)]
 fn loss_of_derivatives<T: Scalar>(x: T) -> T {
-    let (d, one) = (x - without_derivatives(x), T::one());
+    let (d, one) = (derivatives(x), T::one());
     let (half, third) = (T::constant(0.5), T::constant(1.0 / 3.0));
     d * (one - half * d * (one - third * d))
 }

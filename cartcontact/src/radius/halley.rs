@@ -16,7 +16,7 @@ use crate::Scalar;
 use crate::evaluate::power::integer_power;
 use crate::evaluate::steepness::Steepness;
 use crate::numbers::halved::{Halved, product_with_few_digits};
-use crate::scalar::{has_no_derivatives, highest_derivative, without_derivatives};
+use crate::scalar::{derivatives, has_no_derivatives, highest_derivative, without_derivatives};
 
 /// The root of a function with its derivatives, from its value. The function comes with 1/(x f′), of which only the value
 /// counts.
@@ -35,7 +35,7 @@ pub(super) fn with_derivatives<T: Scalar>(value: T, function: impl Fn(T) -> (T, 
 /// A number of which only the derivatives are kept, beside another value, which has none.
 #[inline(always)]
 fn with_value<T: Scalar>(value: T, x: T) -> T {
-    value + (x - without_derivatives(x))
+    value + derivatives(x)
 }
 
 /// The radius from a seed of its `Q`-th root, where J has whole powers of that.

@@ -5,7 +5,7 @@
 use crate::Scalar;
 use crate::numbers::cosines::cosine_of_sixteenths;
 use crate::numbers::tabled::Tabled;
-use crate::scalar::{has_no_derivatives, without_derivatives};
+use crate::scalar::{derivatives, has_no_derivatives};
 
 /// The degree N: the abscissas are [cosines of sixteenths](cosine_of_sixteenths) of π.
 pub(super) const DEGREE: usize = 16;
@@ -70,7 +70,7 @@ pub(super) fn length_above<T: Scalar>(coefficients: &[T], negligible: T) -> usiz
 /// to a parameter stay: they may count where the force itself hardly varies.
 pub(super) fn leave_out<T: Scalar>(coefficients: &mut [T], length: usize) -> usize {
     for c in &mut coefficients[length..] {
-        *c -= without_derivatives(*c);
+        *c = derivatives(*c);
     }
     if has_no_derivatives::<T>() { length } else { coefficients.len() }
 }
