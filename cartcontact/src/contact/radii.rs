@@ -78,9 +78,9 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Block<'_, T, P, L> {
         for (load_integral, &time) in self.load_integrals.iter_mut().zip(self.times) {
             let common_time = sizes.time_near(time);
             let loading = loading(common_time, *load_integral);
-            *load_integral = scales.load_integral(loading);
-            let of_force = scales.load_integral_of_force(loading.force);
-            are_common &= (common_time == time) & sizes.contain_load(loading, (of_force, *load_integral));
+            let load_integrals = scales.load_integrals(loading);
+            *load_integral = load_integrals.1;
+            are_common &= (common_time == time) & sizes.contain_load(loading, load_integrals);
         }
         are_common
     }

@@ -59,14 +59,14 @@ impl<T: Scalar> Scales<T> {
     /// The load integral under a load: J = (F + χ ∫F)/(π m/4).
     #[inline(always)]
     pub(super) fn load_integral(&self, loading: Loading<T>) -> T {
-        let of_impulse = loading.impulse * self.integral_per_impulse * self.unit;
-        self.load_integral_of_force(loading.force) + of_impulse
+        self.load_integrals(loading).1
     }
 
-    /// 4 F/(π m), the load integral of a force alone.
+    /// 4 F/(π m), the load integral of the force alone, and that of the whole load.
     #[inline(always)]
-    pub(super) fn load_integral_of_force(&self, force: T) -> T {
-        force * self.integral_per_load
+    pub(super) fn load_integrals(&self, loading: Loading<T>) -> (T, T) {
+        let of_force = loading.force * self.integral_per_load;
+        (of_force, of_force + loading.impulse * self.integral_per_impulse * self.unit)
     }
 }
 
