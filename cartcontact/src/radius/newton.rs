@@ -54,6 +54,7 @@ pub fn invert<T: Scalar>(
     if !needs_search(target, limit)? {
         return Ok(T::zero());
     }
+    let plain_limit = without_derivatives(limit);
     let plain_terms = terms.into_iter().map(|(c, n)| (without_derivatives(c), without_derivatives(n)));
     let Seed { radius: start, mut bracket } = Seed::of(without_derivatives(target), plain_terms);
     // J(`limit`) as it is known to a caller who asks for the end of the range. Plain arithmetic may give less; with
@@ -65,12 +66,11 @@ pub fn invert<T: Scalar>(
     }
     if largest.is_finite() {
         target = lesser(target, largest);
-        bracket.high = without_derivatives(limit);
+        bracket.high = plain_limit;
     } else if has_negative_terms {
         // Also where J(`limit`) is the difference of infinite terms.
         let high = above(target, bracket.high, &evaluate);
-        bracket.high =
-            high.ok_or_else(|| beyond(target, -T::infinity(), limit))?.min(without_derivatives(limit));
+        bracket.high = high.ok_or_else(|| beyond(target, -T::infinity(), limit))?.min(plain_limit);
     }
     bracket.low = bracket.low.min(bracket.high);
     let close = close_enough(has_negative_terms);
