@@ -2,6 +2,7 @@
 
 use cartcontact::{GapProfile, Polynomial, ProfileError, RadiusError, Scalar, gap_profile};
 use num_dual::{Dual2_64, Dual3_64, Dual32, Dual64, DualSVec64, HyperDual64, HyperHyperDual64};
+use tests::measure::relative_error;
 use tests::profiles::{MixedSign, Patellofemoral};
 
 /// Two even powers, for which fields set the units.
@@ -132,10 +133,11 @@ fn weighted(terms: &[(f64, f64)]) -> Vec<(f64, f64)> {
 /// of a third derivative with respect to a coefficient of a vanishing share in J.
 const ALLOWED: f64 = 100.0;
 
-/// The largest error of derivatives in units of ε.
-fn worst<const N: usize>(found: [f64; N], expected: [f64; 3]) -> f64 {
-    let errors = found.iter().zip(expected).map(|(&found, expected)| (found / expected - 1.0).abs());
-    errors.fold(0.0, |worst, error| if error <= worst { worst } else { error }) / f64::EPSILON
+fn assert_derivatives(y: f64, found: &[f64], expected: [f64; 3], epsilon: f64) {
+    for (&found, expected) in found.iter().zip(expected) {
+        let error = relative_error(found, expected, epsilon);
+        assert!(error <= ALLOWED, "{y}: {error} ε");
+    }
 }
 
 /// Compares derivatives in all kinds of dual numbers, for load integrals from `least` on, each `factor` times the last.
@@ -144,18 +146,16 @@ fn compare<G: Geometry>(least: f64, factor: f64) -> Result<(), RadiusError> {
     for k in 0..60 {
         let y = least * factor.powi(k);
         let a = G::radius(b, y)?;
-        // With its value and derivatives of the orders 1, 1, 2, 2, 3 and 3.
-        let check = |expected: [f64; 3], [by_y, by_b]: [f64; 2]| -> Result<f64, RadiusError> {
-            let (y, b) = (y, b);
-            let mut errors = vec![];
-            let mut take = |value: f64, found: &[f64]| {
+        for (expected, [by_y, by_b]) in
+            [(by_load_integral(G::TERMS, a), [1.0, 0.0]), (by_first_coefficient(G::TERMS, y, a), [0.0, 1.0])]
+        {
+            // A value, and derivatives of the first, second and third order.
+            let take = |value: f64, found: &[f64]| {
                 assert!(
-                    (value / a - 1.0).abs() <= G::DIFFERENCE * f64::EPSILON,
+                    relative_error(value, a, f64::EPSILON) <= G::DIFFERENCE,
                     "{y}: {value} instead of {a}"
                 );
-                for (&found, expected) in found.iter().zip(expected) {
-                    errors.push(worst([found], [expected; 3]));
-                }
+                assert_derivatives(y, found, expected, f64::EPSILON);
             };
             let one = G::radius(Dual64::new(b, by_b), Dual64::new(y, by_y))?;
             take(one.re, &[one.eps]);
@@ -177,13 +177,6 @@ fn compare<G: Geometry>(least: f64, factor: f64) -> Result<(), RadiusError> {
             let vector = G::radius(of_b, of_y)?;
             let first = vector.eps.0.map_or(f64::NAN, |first| first[0]);
             take(vector.re, &[first]);
-            Ok(errors.into_iter().fold(0.0, |worst, error| if error <= worst { worst } else { error }))
-        };
-        for error in [
-            check(by_load_integral(G::TERMS, a), [1.0, 0.0])?,
-            check(by_first_coefficient(G::TERMS, y, a), [0.0, 1.0])?,
-        ] {
-            assert!(error <= ALLOWED, "{y}: {error} ε");
         }
     }
     Ok(())
@@ -229,14 +222,13 @@ fn radii_of_constants_have_the_values_of_plain_numbers_and_all_derivatives() -> 
             let y = 0.01 * 1.07_f64.powi(k);
             let (a, found) = (radius(which, y)?, radius(which, Dual3_64::from(y).derivative())?);
             assert_eq!(found.re.to_bits(), a.to_bits(), "{y}");
-            let error = worst([found.v1, found.v2, found.v3], by_load_integral(terms, a));
-            assert!(error <= ALLOWED, "{y}: {error} ε");
+            let expected = by_load_integral(terms, a);
+            assert_derivatives(y, &[found.v1, found.v2, found.v3], expected, f64::EPSILON);
             let y = y as f32;
             let (a, found) = (radius(which, y)?, radius(which, Dual32::from(y).derivative())?);
             assert_eq!(found.re.to_bits(), a.to_bits(), "{y}");
-            let expected = by_load_integral(terms, f64::from(a))[0];
-            let error = (f64::from(found.eps) / expected - 1.0).abs() / f64::from(f32::EPSILON);
-            assert!(error <= ALLOWED, "{y}: {error} ε");
+            let expected = by_load_integral(terms, f64::from(a));
+            assert_derivatives(f64::from(y), &[f64::from(found.eps)], expected, f64::from(f32::EPSILON));
         }
     }
     Ok(())
