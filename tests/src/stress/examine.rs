@@ -321,7 +321,9 @@ impl<T: Precision> Examination<'_, T> {
         }
         let mut borders = vec![0.0];
         for &(time, _) in self.scene.knots.iter().filter(|knot| knot.0 <= self.scene.time) {
-            borders.extend(self.radii_at(time, a));
+            // An earlier contact may be refused, and the kink at its edge is then anywhere.
+            let Some(radii) = self.radii_at(time, a) else { return };
+            borders.extend(radii);
         }
         let flattest = self.exact.profile.flattest_radius(Wide::of(a.value()));
         borders.extend(flattest.map(|s| s.value() / a.value()));
@@ -337,11 +339,11 @@ impl<T: Precision> Examination<'_, T> {
         self.measure(Quantity::Balance, carried.value(), Wide::of(force), condition);
     }
 
-    /// The radii just before and at a time, as shares of the radius `a`.
-    fn radii_at(&self, time: T, a: T) -> [f64; 2] {
+    /// The radii just before and at a time, as shares of the radius `a`; none if the contact is refused there.
+    fn radii_at(&self, time: T, a: T) -> Option<[f64; 2]> {
         let before = time * (T::one() - T::constant(T::EPSILON * 4.0));
-        [before, time]
-            .map(|time| self.contact.at(time).map_or(0.0, |then| (then.radius() / a).value().min(1.0)))
+        let share = |time| Some((self.contact.at(time).ok()?.radius() / a).value().min(1.0));
+        Some([share(before)?, share(time)?])
     }
 
     /// Notes an error as a share of the allowed one: in units of ε, relative to the smallest normal number at least.
