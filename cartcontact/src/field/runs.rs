@@ -22,16 +22,7 @@ pub(super) struct Run {
 
 impl<'a, T: Scalar> Runs<'a, T> {
     pub(super) fn of(radii: &'a [T]) -> Self {
-        let pairs = || radii.iter().zip(radii.iter().skip(1));
-        // All at once, in loops without branches.
-        let ascends = pairs().fold(true, |all, (r, next)| all & (r <= next));
-        let descends = !ascends && pairs().fold(true, |all, (r, next)| all & (r >= next));
-        let first = if ascends || descends {
-            Run { columns: 0..radii.len(), descends }
-        } else {
-            Run::starting(radii, 0)
-        };
-        Self { radii, first }
+        Self { radii, first: Run::starting(radii, 0) }
     }
 
     /// Whether there is only one run.
