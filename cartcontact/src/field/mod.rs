@@ -60,10 +60,6 @@ pub(crate) fn check<T: Scalar>(times: &[T], radii: &[T], values: &[T]) -> Result
 
 /// The index of the first number that is negative or not finite.
 fn first_invalid<T: Scalar>(numbers: &[T]) -> Option<usize> {
-    // All at once first, in a loop without branches.
-    if numbers.iter().fold(true, |all, &x| all & is_finite_and_not_negative(x)) {
-        return None;
-    }
     numbers.iter().position(|&x| !is_finite_and_not_negative(x))
 }
 
