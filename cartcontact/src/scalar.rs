@@ -129,12 +129,6 @@ pub(crate) fn is_normal_and_positive<T: Scalar>(x: T) -> bool {
     (x >= smallest_normal()) & x.is_finite()
 }
 
-/// A duration that surely moves a time up to `end`: four roundings of it.
-#[inline(always)]
-pub(crate) fn spacing_of_times<T: Scalar>(end: T) -> T {
-    end * T::default_epsilon() * T::constant(4.0)
-}
-
 /// A number of single precision.
 #[inline(always)]
 pub fn from_single<T: Scalar>(value: f32) -> T {

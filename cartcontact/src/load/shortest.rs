@@ -1,15 +1,16 @@
 //! The shortest part into which a history is divided.
 
 use crate::Scalar;
-use crate::scalar::{smallest_normal, spacing_of_times};
+use crate::scalar::smallest_normal;
 
 /// After this many parts that are given up, the shortest length is doubled: a load may have a few jumps that no knot
 /// reports, at each of which parts are given up, and they should all be found with full sharpness.
 const GIVEN_UP_PER_DOUBLING: u32 = 16;
 
-/// The shortest step on the way to a time: it surely moves a time up to there, and is a normal number.
+/// The shortest step on the way to a time: four roundings of it, which surely move a time up to there, and a normal
+/// number.
 pub(crate) fn least_step<T: Scalar>(end: T) -> T {
-    spacing_of_times(end).max(smallest_normal())
+    (end * T::default_epsilon() * T::constant(4.0)).max(smallest_normal())
 }
 
 /// How many times the shortest length a part has that tells jumps and kinks from noise. With 64, ten thousand jumps are

@@ -25,9 +25,9 @@ use super::fading::{Fading, faded_folds};
 use super::stretch::{Course, Stretch};
 use super::{Stage, Transition, not_negative, surplus_that_counts};
 use crate::contact::{Contact, Loading};
-use crate::load::{Load, MOST_PIECES, Piece, knot_between, pieces_between};
+use crate::load::{Load, MOST_PIECES, Piece, knot_between, least_step, pieces_between};
 use crate::numbers::compensated_sum::CompensatedSum;
-use crate::scalar::{has_no_derivatives, spacing_of_times};
+use crate::scalar::has_no_derivatives;
 use crate::{GapProfile, Scalar};
 
 /// The transition to a time with its contact radius, for radii up to `reach` or the first radius, the larger of the two.
@@ -230,7 +230,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
             return piece;
         }
         // At least a few roundings of the time, so that something is left.
-        let time = end - (folds / chi).max(spacing_of_times(end));
+        let time = end - (folds / chi).max(least_step(end));
         let skipped = piece.before(time);
         self.now.impulse.add(skipped.impulse());
         let force = skipped.end.1;
