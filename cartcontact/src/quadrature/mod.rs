@@ -109,13 +109,17 @@ impl Rule {
         if self.count < MOST_NODES { self.count } else { MOST_NODES }
     }
 
-    /// The factors with which a function's differences between the nodes ±x of each pair add up to its Legendre
-    /// coefficients of degree 1 and n − 1.
+    /// The factors with which a function's values at the nodes ±x of each pair add up to its Legendre coefficients of
+    /// degree 1, n − 1 and n − 2: their difference to the first two, their sum to the third.
     #[inline(always)]
-    pub(crate) fn coefficients<T: Scalar>(&self) -> impl Iterator<Item = (T, T)> {
+    pub(crate) fn coefficients<T: Scalar>(&self) -> impl Iterator<Item = [T; 3]> {
+        let Self { double, single, .. } = self;
         (0..self.len() / 2).map(|pair| {
-            let first = of_precision(self.double.first[pair], self.single.first[pair]);
-            (first, of_precision(self.double.highest[pair], self.single.highest[pair]))
+            [
+                of_precision(double.first[pair], single.first[pair]),
+                of_precision(double.highest[pair], single.highest[pair]),
+                of_precision(double.next[pair], single.next[pair]),
+            ]
         })
     }
 
@@ -154,24 +158,17 @@ impl Rule {
         is_negligible(height, fall, self.len())
     }
 
-    /// The factor with which the sum of a function's values at the nodes ±x of a pair adds to its Legendre coefficient of
-    /// degree n − 2.
-    #[inline(always)]
-    pub(crate) fn factor_of_next<T: Scalar>(&self, pair: usize) -> T {
-        of_precision(self.double.next[pair], self.single.next[pair])
-    }
-
     /// Whether the rule [`resolves`](Self::resolves) the function that has these `values` at the nodes, by either of its
     /// last two coefficients.
     #[inline(always)]
     pub(crate) fn resolves_values<T: Scalar>(&self, values: &[T], remaining: T) -> bool {
         let (mut first, mut highest, mut next) = (T::zero(), T::zero(), T::zero());
         let (pairs, _) = values.as_chunks::<2>();
-        for (place, (pair, factors)) in pairs.iter().zip(self.coefficients::<T>()).enumerate() {
+        for (pair, [to_first, to_highest, to_next]) in pairs.iter().zip(self.coefficients::<T>()) {
             let (difference, sum) = (pair[1] - pair[0], pair[1] + pair[0]);
-            first += factors.0 * difference;
-            highest += factors.1 * difference;
-            next += self.factor_of_next::<T>(place) * sum;
+            first += to_first * difference;
+            highest += to_highest * difference;
+            next += to_next * sum;
         }
         let size = values.last().map_or(T::zero(), |&value| value);
         let (first, highest, next) = (first / size, highest / size, next / size);
@@ -268,13 +265,13 @@ mod tests {
     /// Sums over the pairs of nodes: of Pₖ times the factors for the Legendre coefficients of degree 1, n − 1 and n − 2.
     fn coefficients_of_legendre(rule: &Rule, degree: usize) -> [f64; 3] {
         let (pairs, _) = rule.double.nodes.as_chunks::<2>();
-        let pairs = pairs.iter().zip(rule.coefficients::<f64>()).enumerate();
-        pairs.fold([0.0; 3], |[first, highest, next], (place, (x, factors))| {
+        let pairs = pairs.iter().zip(rule.coefficients::<f64>());
+        pairs.fold([0.0; 3], |[first, highest, next], (x, factors)| {
             let [low, high] = x.map(|x| legendre(degree, x));
             [
-                first + factors.0 * (high - low),
-                highest + factors.1 * (high - low),
-                next + rule.factor_of_next::<f64>(place) * (high + low),
+                first + factors[0] * (high - low),
+                highest + factors[1] * (high - low),
+                next + factors[2] * (high + low),
             ]
         })
     }

@@ -292,7 +292,7 @@ impl<T: Scalar> Batch<T> {
         let (mut first, mut highest, mut next) = (none, none, none);
         let count = self.count.clamp(1, MOST_PIECES);
         let pairs = || radii.chunks_exact(2 * count).map(|pair| pair.split_at(count));
-        for ((later, earlier), (to_first, to_highest)) in pairs().zip(self.rule.coefficients::<T>()) {
+        for ((later, earlier), [to_first, to_highest, _]) in pairs().zip(self.rule.coefficients::<T>()) {
             let sums = first.iter_mut().zip(&mut highest);
             for ((first, highest), (&later, &earlier)) in sums.zip(later.iter().zip(earlier)) {
                 let odd = earlier - later;
@@ -310,8 +310,7 @@ impl<T: Scalar> Batch<T> {
         if are_positive || !are_resolved {
             return are_resolved;
         }
-        for (place, (later, earlier)) in pairs().enumerate() {
-            let to_next = self.rule.factor_of_next::<T>(place);
+        for ((later, earlier), [_, _, to_next]) in pairs().zip(self.rule.coefficients::<T>()) {
             for (next, (&later, &earlier)) in next.iter_mut().zip(later.iter().zip(earlier)) {
                 *next += to_next * (earlier + later);
             }
