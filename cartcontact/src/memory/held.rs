@@ -25,7 +25,6 @@
 use super::Increment;
 use super::nodes::Node;
 use super::stretch::{Course, Stretch};
-use crate::dispatch::half_wide;
 use crate::load::Load;
 use crate::numbers::tabled::{Tabled, tabled};
 use crate::quadrature::Rule;
@@ -57,23 +56,18 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
         let rule = self.rule_for_held_load()?;
         let bend = self.folds_at_edge()? * T::constant(1.0 / FOLDS_PER_BEND);
         let length = self.high - self.low;
-        half_wide(
+        let (most, per_length) = (T::one() + bend, bend / length);
+        let panel = self.integrate(
+            rule,
+            (T::zero(), length),
             #[inline(always)]
-            || {
-                let (most, per_length) = (T::one() + bend, bend / length);
-                let panel = self.integrate(
-                    rule,
-                    (T::zero(), length),
-                    #[inline(always)]
-                    |x, dx| {
-                        let share = (most - per_length * x).recip();
-                        let depth = x * share;
-                        Node { s: self.high - depth, depth, weight: dx * (most * (share * share)) }
-                    },
-                );
-                panel.is_steady.then_some(panel.increment)
+            |x, dx| {
+                let share = (most - per_length * x).recip();
+                let depth = x * share;
+                Node { s: self.high - depth, depth, weight: dx * (most * (share * share)) }
             },
-        )
+        );
+        panel.is_steady.then_some(panel.increment)
     }
 
     /// The shortest rule for the stretch, if its load was held.

@@ -2,6 +2,7 @@
 
 use super::Increment;
 use super::stretch::Stretch;
+use crate::dispatch::half_wide;
 use crate::load::Load;
 use crate::quadrature::{MOST_NODES, Rule, error_of_finest};
 use crate::{GapProfile, Scalar};
@@ -39,7 +40,7 @@ pub(super) struct PanelIntegral<T> {
 
 impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
     /// The integral by a rule for a variable between `ends`; `place` makes a node of a value of the variable and its
-    /// weight.
+    /// weight, and must be inlined.
     #[inline(always)]
     pub(super) fn integrate(
         &self,
@@ -47,17 +48,22 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
         ends: (T, T),
         place: impl Fn(T, T) -> Node<T>,
     ) -> PanelIntegral<T> {
-        let mut nodes = Nodes::none();
-        nodes.take(self, rule, ends, place);
-        let is_steady = self.contact.profile().has_only_positive_terms() || nodes.are_steady();
-        let error =
-            if !is_steady && rule.is_finest() { error_of_finest(&nodes.weights.0) } else { T::zero() };
-        PanelIntegral { increment: nodes.increment(self.low), is_steady, error }
+        half_wide(
+            #[inline(always)]
+            || {
+                let mut nodes = Nodes::none();
+                nodes.take(self, rule, ends, place);
+                let is_steady = self.contact.profile().has_only_positive_terms() || nodes.are_steady();
+                let is_judged = !is_steady && rule.is_finest();
+                let error = if is_judged { error_of_finest(&nodes.weights.0) } else { T::zero() };
+                PanelIntegral { increment: nodes.increment(self.low), is_steady, error }
+            },
+        )
     }
 }
 
 /// All nodes, with the integrand at each.
-pub(super) struct Nodes<T> {
+struct Nodes<T> {
     count: usize,
     radii: PerNode<T>,
     /// δ₀′
@@ -69,7 +75,7 @@ pub(super) struct Nodes<T> {
 impl<T: Scalar> Nodes<T> {
     /// Room for nodes to be filled in place: nodes returned by value would be copied.
     #[inline(always)]
-    pub(super) fn none() -> Self {
+    fn none() -> Self {
         let zero = PerNode::zero();
         Self { count: 0, radii: zero, slopes: zero, weights: zero }
     }
@@ -77,7 +83,7 @@ impl<T: Scalar> Nodes<T> {
     /// Takes the nodes of a rule for a variable from `low` to `high`; `place` makes a node of a value of the variable
     /// and its weight.
     #[inline(always)]
-    pub(super) fn take<P, L>(
+    fn take<P, L>(
         &mut self,
         stretch: &Stretch<'_, T, P, L>,
         rule: &Rule,
@@ -108,7 +114,7 @@ impl<T: Scalar> Nodes<T> {
 
     /// The integrals of an [`Increment`] by the rule.
     #[inline(always)]
-    pub(super) fn increment(&self, low: T) -> Increment<T> {
+    fn increment(&self, low: T) -> Increment<T> {
         // A minimum leaves no panic in the program, which a bound that only `take` knows would.
         let nodes = ..self.count.min(MOST_NODES);
         Increment::of(&self.radii.0[nodes], &self.weights.0[nodes], low)

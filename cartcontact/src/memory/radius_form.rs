@@ -10,9 +10,8 @@
 //! 7; outside the core the singularity at r = 0 is far enough away for any rule.
 
 use super::Increment;
-use super::nodes::{Node, Nodes, PanelIntegral};
+use super::nodes::{Node, PanelIntegral};
 use super::stretch::Stretch;
-use crate::dispatch::half_wide;
 use crate::load::Load;
 use crate::quadrature::Rule;
 use crate::{GapProfile, Scalar};
@@ -132,17 +131,12 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
     /// side of it, 12 nodes are needed instead of 8. The finest rule leaves 1e-16 for all c that its panels allow, on
     /// either side or on both; what else the integrand may be like, its estimate of the error tells.
     fn panel(&self, rule: &Rule, (start, end): (T, T)) -> PanelIntegral<T> {
-        half_wide(
+        let edge = self.high;
+        self.integrate(
+            rule,
+            (start, end),
             #[inline(always)]
-            || {
-                let edge = self.high;
-                self.integrate(
-                    rule,
-                    (start, end),
-                    #[inline(always)]
-                    |depth, weight| Node { s: edge - depth, depth, weight },
-                )
-            },
+            |depth, weight| Node { s: edge - depth, depth, weight },
         )
     }
 
@@ -183,18 +177,17 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
         let fourth_root = |s: T| if s.is_zero() { s } else { s.sqrt().sqrt() };
         let ends = (fourth_root(self.low), fourth_root(top));
         let least = (self.high * share_that_counts()).max(self.low);
-        half_wide(
+        let panel = self.integrate(
+            Rule::FINEST,
+            ends,
             #[inline(always)]
-            || {
-                let mut nodes = Nodes::none();
-                nodes.take(self, Rule::FINEST, ends, |x, weight| {
-                    let cube = x * x * x;
-                    let s = (cube * x).max(least);
-                    Node { s, depth: self.high - s, weight: weight * T::constant(4.0) * cube }
-                });
-                nodes.increment(self.low)
+            |x, weight| {
+                let cube = x * x * x;
+                let s = (cube * x).max(least);
+                Node { s, depth: self.high - s, weight: weight * T::constant(4.0) * cube }
             },
-        )
+        );
+        panel.increment
     }
 
     /// Whether the shortest rule suffices for a whole stretch of a held load under positive terms, whatever its panels
