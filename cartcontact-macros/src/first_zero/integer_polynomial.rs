@@ -85,18 +85,6 @@ impl IntegerPolynomial {
         value.cmp(&BigInt::zero())
     }
 
-    /// How often the sign changes along the coefficients, zeros aside. Descartes: there are as many positive roots,
-    /// counted with multiplicity, or fewer by an even number.
-    pub(crate) fn sign_changes(&self) -> usize {
-        let signs: Vec<bool> = self
-            .coefficients
-            .iter()
-            .filter(|coefficient| !coefficient.is_zero())
-            .map(Signed::is_negative)
-            .collect();
-        signs.windows(2).filter(|pair| pair[0] != pair[1]).count()
-    }
-
     /// x^n p(1/x), for a p that is not zero at 0.
     pub(crate) fn reversed(mut self) -> Self {
         self.coefficients.reverse();

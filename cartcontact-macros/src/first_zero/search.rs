@@ -54,9 +54,6 @@ const KEPT_DIGITS: u64 = 64;
 
 /// The smallest positive root of a polynomial that is positive at 0.
 pub(crate) fn first_root(polynomial: &IntegerPolynomial) -> Result<Option<FirstRoot>, TooIntricate> {
-    if polynomial.sign_changes() == 0 {
-        return Ok(None);
-    }
     let polynomial = square_free(polynomial);
     let outline = Outline::new(&polynomial);
     let lowest = -polynomial.clone().reversed().root_bound();
