@@ -136,8 +136,7 @@ impl<'a> Whole<'a> {
     pub(crate) fn powers(&self, digits: u64) -> Powers {
         let guard = self.degree() + GUARD;
         let numbers = Numbers::new(&self.coefficients((digits + guard) as i64));
-        let numbers = numbers.taylor_shift(self.polynomial.degree() + 1).values();
-        Powers { numbers, guard, error: 0 }
+        Powers { numbers: numbers.taylor_shift().values(), guard, error: 0 }
     }
 }
 
