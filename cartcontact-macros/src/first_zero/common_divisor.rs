@@ -27,106 +27,59 @@ const FIRST_PRIME_ABOVE: u64 = 1 << 31;
 
 /// The polynomial with the same roots, each of them simple, and the same sign at 0.
 ///
-/// Either this polynomial s or the factor d that is divided out is joined from images: the one of the lower degree, as
-/// its coefficients are likely to be shorter. If p = s d and d divides the derivative, every root has a lower
-/// multiplicity in d than in p, so s has all roots. It has each of them once, as its degree is not too high if that of
-/// d is not too low.
+/// Every root has a multiplicity that is by 1 lower in the divisor that a polynomial shares with its derivative.
 pub(crate) fn square_free(polynomial: &IntegerPolynomial) -> IntegerPolynomial {
-    let slope = polynomial.derivative();
-    let image = |prime: u64| {
-        let whole = residues(polynomial, prime)?;
-        let factors = whole.iter().zip(0_u64..).skip(1);
-        let slope = factors.map(|(residue, power)| residue * power % prime).collect();
-        let repeated = divisor_modulo(whole.clone(), slope, prime);
-        let divisor_degree = repeated.len() - 1;
-        if 2 * divisor_degree <= polynomial.degree() {
-            return Some(Image { divisor_degree, residues: repeated });
-        }
-        let (simple, _) = division(whole, &repeated, prime);
-        Some(Image { divisor_degree, residues: monic(simple, prime) })
-    };
-    let simple = from_images(&polynomial.leading(), &image, &|candidate, divisor_degree| {
-        let other = polynomial.exact_quotient(&candidate)?;
-        let (simple, repeated) =
-            if candidate.degree() == divisor_degree { (other, candidate) } else { (candidate, other) };
-        slope.exact_quotient(&repeated).map(|_| simple)
-    });
-    match simple {
-        Some(simple) if simple.constant().sign() == polynomial.constant().sign() => simple,
-        Some(simple) => simple.negated(),
-        None => polynomial.clone(),
-    }
+    let repeated = common_divisor(polynomial, &polynomial.derivative());
+    let simple = polynomial.exact_quotient(&repeated).unwrap_or_else(|| polynomial.clone());
+    if simple.constant().sign() == polynomial.constant().sign() { simple } else { simple.negated() }
 }
 
 /// The greatest common divisor of two polynomials that are not zero, up to a constant.
 pub(crate) fn common_divisor(left: &IntegerPolynomial, right: &IntegerPolynomial) -> IntegerPolynomial {
-    let image = |prime: u64| {
-        let residues = divisor_modulo(residues(left, prime)?, residues(right, prime)?, prime);
-        Some(Image { divisor_degree: residues.len() - 1, residues })
-    };
-    from_images(&common_factor(&left.leading(), &right.leading()), &image, &|candidate, _| {
-        [left, right].iter().all(|whole| whole.exact_quotient(&candidate).is_some()).then_some(candidate)
-    })
-    .unwrap_or_else(|| IntegerPolynomial::new(vec![BigInt::one()]))
-}
-
-/// A polynomial modulo a prime: the common divisor, or what is left without it if that is shorter.
-struct Image {
-    /// The coefficients, with a leading 1 until they are scaled.
-    residues: Vec<u64>,
-    /// The degree of the common divisor; never too low.
-    divisor_degree: usize,
-}
-
-/// Joins the images modulo one prime after the other into a primitive polynomial whose leading coefficient divides
-/// `leading`, until `result` accepts it. Returns what `result` makes of it; nothing if there is no common divisor.
-fn from_images(
-    leading: &BigInt,
-    image: &dyn Fn(u64) -> Option<Image>,
-    result: &dyn Fn(IntegerPolynomial, usize) -> Option<IntegerPolynomial>,
-) -> Option<IntegerPolynomial> {
+    let leading = common_factor(&left.leading(), &right.leading());
     let mut prime = FIRST_PRIME_ABOVE;
     let mut joined = Joined::nothing();
     loop {
         prime = prime_after(prime);
-        let Some(Image { residues, divisor_degree }) = image(prime) else { continue };
-        if divisor_degree == 0 {
-            return None;
+        let Some((left_residues, right_residues)) = residues(left, prime).zip(residues(right, prime)) else {
+            continue;
+        };
+        let divisor = divisor_modulo(left_residues, right_residues, prime);
+        if divisor.len() == 1 {
+            return IntegerPolynomial::new(vec![BigInt::one()]);
         }
-        let image = Image { residues: scaled(residues, reduce(leading, prime), prime), divisor_degree };
-        if joined.join(&image, prime) {
+        if joined.join(&scaled(divisor, reduce(&leading, prime), prime), prime) {
             let candidate = IntegerPolynomial::new(joined.coefficients.clone()).primitive();
-            if let Some(result) = result(candidate, joined.divisor_degree) {
-                return Some(result);
+            if [left, right].iter().all(|whole| whole.exact_quotient(&candidate).is_some()) {
+                return candidate;
             }
         }
     }
 }
 
-/// The result of the primes so far, with coefficients in (-modulus/2, modulus/2].
+/// The result of the primes so far, with coefficients in (-modulus/2, modulus/2]; empty before the first.
 struct Joined {
     coefficients: Vec<BigInt>,
     modulus: BigInt,
-    divisor_degree: usize,
 }
 
 impl Joined {
     fn nothing() -> Self {
-        Joined { coefficients: Vec::new(), modulus: BigInt::one(), divisor_degree: usize::MAX }
+        Joined { coefficients: Vec::new(), modulus: BigInt::one() }
     }
 
-    /// Takes in one more prime; returns whether the result stayed the same.
-    fn join(&mut self, image: &Image, prime: u64) -> bool {
-        if image.divisor_degree < self.divisor_degree {
-            let coefficients = vec![BigInt::zero(); image.residues.len()];
-            *self = Joined { coefficients, modulus: BigInt::one(), divisor_degree: image.divisor_degree };
-        } else if image.divisor_degree > self.divisor_degree {
+    /// Takes in the divisor modulo one more prime, whose degree is never too low; returns whether the result stayed the
+    /// same.
+    fn join(&mut self, residues: &[u64], prime: u64) -> bool {
+        if self.coefficients.is_empty() || residues.len() < self.coefficients.len() {
+            *self = Joined { coefficients: vec![BigInt::zero(); residues.len()], modulus: BigInt::one() };
+        } else if residues.len() > self.coefficients.len() {
             return false;
         }
         let step =
             Step { inverse: inverse(reduce(&self.modulus, prime), prime), modulus: &self.modulus, prime };
         let mut unchanged = true;
-        for (coefficient, &residue) in self.coefficients.iter_mut().zip(&image.residues) {
+        for (coefficient, &residue) in self.coefficients.iter_mut().zip(residues) {
             unchanged &= !step.add(coefficient, residue);
         }
         self.modulus *= prime;
@@ -166,25 +119,22 @@ fn residues(polynomial: &IntegerPolynomial, prime: u64) -> Option<Vec<u64>> {
 fn divisor_modulo(mut dividend: Vec<u64>, divisor: Vec<u64>, prime: u64) -> Vec<u64> {
     let mut divisor = monic(divisor, prime);
     while !divisor.is_empty() {
-        let (_, remainder) = division(dividend, &divisor, prime);
-        dividend = core::mem::replace(&mut divisor, monic(remainder, prime));
+        let rest = remainder(dividend, &divisor, prime);
+        dividend = core::mem::replace(&mut divisor, monic(rest, prime));
     }
     dividend
 }
 
-/// The quotient and the remainder, for a divisor with the leading coefficient 1.
-fn division(mut dividend: Vec<u64>, divisor: &[u64], prime: u64) -> (Vec<u64>, Vec<u64>) {
-    let mut quotient = Vec::new();
+/// The remainder of a division by a polynomial with the leading coefficient 1.
+fn remainder(mut dividend: Vec<u64>, divisor: &[u64], prime: u64) -> Vec<u64> {
     while dividend.len() >= divisor.len() {
         let Some(leading) = dividend.pop() else { break };
         let factor = prime - leading;
         for (target, coefficient) in dividend.iter_mut().rev().zip(divisor.iter().rev().skip(1)) {
             *target = (*target + factor * coefficient) % prime;
         }
-        quotient.push(leading);
     }
-    quotient.reverse();
-    (quotient, dividend)
+    dividend
 }
 
 fn monic(mut polynomial: Vec<u64>, prime: u64) -> Vec<u64> {
