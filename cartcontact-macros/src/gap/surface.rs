@@ -113,7 +113,8 @@ mod tests {
                 (surface.radius.as_constant().unwrap(), surface.shape.as_constant().unwrap());
             let terms = coefficients(&surface, 24);
             for j in 1..=terms.len() {
-                let square: Rational = (1..j).map(|i| &terms[i - 1] * &terms[j - i - 1]).sum();
+                let products = (1..j).map(|i| &terms[i - 1] * &terms[j - i - 1]);
+                let square = products.fold(Rational::zero(), |sum, product| sum + product);
                 let constant = if j == 1 { Rational::one() } else { Rational::zero() };
                 assert_eq!(
                     &shape * square - integer(2) * &radius * &terms[j - 1] + constant,

@@ -89,12 +89,10 @@ pub(crate) fn shifted(number: &BigInt, steps: i64) -> BigInt {
     if steps < 0 { number >> -steps } else { number << steps }
 }
 
-const TOO_LONG: &str = "a number may have at most 1000 digits; round it";
-
 /// `digits` with `decimals` of them after the point, times a power of ten.
 pub(crate) fn from_decimal(digits: &str, decimals: usize, exponent: i64) -> Result<Rational, &'static str> {
     if digits.len() > MAXIMUM_DIGITS {
-        return Err(TOO_LONG);
+        return Err("a number may have at most 1000 digits; round it");
     }
     if exponent.abs() > MAXIMUM_DECIMAL_EXPONENT {
         return Err(
@@ -102,8 +100,7 @@ pub(crate) fn from_decimal(digits: &str, decimals: usize, exponent: i64) -> Resu
         );
     }
     let digits: BigInt = digits.parse().map_err(|_| "a number is written with decimal digits")?;
-    let shift = i32::try_from(exponent - decimals as i64).map_err(|_| TOO_LONG)?;
-    Ok(integer(digits) * integer(10).pow(shift))
+    Ok(integer(digits) * integer(10).pow((exponent - decimals as i64) as i32))
 }
 
 /// `base` to an integer power; `None` if the result is too large to be useful. The base of a negative power must not be

@@ -6,8 +6,7 @@
 
 use core::cmp::Ordering;
 use core::fmt::{Display, Formatter, Result as Written};
-use core::iter::Sum;
-use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
+use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
 
 use num_bigint::{BigInt, BigUint};
 use num_integer::Integer;
@@ -46,13 +45,9 @@ impl Rational {
         let bits = value.abs().to_bits();
         let (fraction, exponent) = (bits & (IMPLIED_BIT - 1), (bits / IMPLIED_BIT) as i32);
         let mantissa = BigInt::from(if exponent == 0 { fraction } else { fraction + IMPLIED_BIT });
-        let size = Rational::from_integer(mantissa) * Rational::power_of_two(exponent.max(1) - 1075);
+        let (up, down) = ((exponent - 1075).max(0), (1075 - exponent.max(1)).max(0));
+        let size = Rational::new(mantissa << up, BigInt::one() << down);
         value.is_finite().then(|| if value < 0.0 { -size } else { size })
-    }
-
-    fn power_of_two(exponent: i32) -> Self {
-        let power = Rational::from_integer(BigInt::one() << exponent.unsigned_abs());
-        if exponent < 0 { power.recip() } else { power }
     }
 
     pub(crate) fn numer(&self) -> &BigInt {
@@ -274,27 +269,9 @@ operator!(Sub, sub, |left, right| sum(left, &-right));
 operator!(Mul, mul, |left, right| product(left, right));
 operator!(Div, div, |left, right| product(left, &right.recip()));
 
-impl<T> AddAssign<T> for Rational
-where
-    for<'a> &'a Rational: Add<T, Output = Rational>,
-{
-    fn add_assign(&mut self, other: T) {
+impl AddAssign for Rational {
+    fn add_assign(&mut self, other: Rational) {
         *self = &*self + other;
-    }
-}
-
-impl<T> SubAssign<T> for Rational
-where
-    for<'a> &'a Rational: Sub<T, Output = Rational>,
-{
-    fn sub_assign(&mut self, other: T) {
-        *self = &*self - other;
-    }
-}
-
-impl Sum for Rational {
-    fn sum<I: Iterator<Item = Rational>>(numbers: I) -> Rational {
-        numbers.fold(Rational::zero(), |sum, number| sum + number)
     }
 }
 

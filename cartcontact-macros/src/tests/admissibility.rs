@@ -271,7 +271,7 @@ fn chebyshev_from_above() -> Gap {
     let (mut last, mut next) = (vec![integer(1)], vec![integer(-1), integer(2)]);
     for _ in 1..64 {
         let mut after = product(&[vec![integer(-2), integer(4)], next.clone()]);
-        after.iter_mut().zip(&last).for_each(|(value, own)| *value -= own);
+        after.iter_mut().zip(&last).for_each(|(value, own)| *value += -own);
         last = core::mem::replace(&mut next, after);
     }
     next[0] += exact("1") + exact("1e-40");
