@@ -40,8 +40,6 @@ const MAXIMUM_DEGREE: usize = 1024;
 const MAXIMUM_DENOMINATOR: u32 = 1000;
 
 /// A proof takes more digits than are allowed.
-#[derive(PartialEq, Eq)]
-#[cfg_attr(test, derive(Debug))]
 struct TooIntricate;
 
 /// The smallest r > 0 at which a sum of coefficient * r^exponent is zero, if there is one.
