@@ -42,7 +42,7 @@ fn remedy(end: &[TokenTree]) -> String {
     if end.is_empty() {
         return "leave it out if the gap has no end".to_owned();
     }
-    if is_of_r(end) || !is_expression(end) {
+    if is_of_r(end) || !is_expression(end, 0) {
         return "write it as in `max_radius = 6.0`".to_owned();
     }
     format!("write `max_radius = {}`", end.iter().cloned().collect::<TokenStream>())

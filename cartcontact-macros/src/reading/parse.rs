@@ -23,14 +23,10 @@ pub(crate) fn expression(tokens: &[TokenTree], place: Span, diagnostics: &mut Di
     Parser { rest: tokens, previous: place.into(), depth: 0, diagnostics }.everything()
 }
 
-/// Whether some tokens can be read as they are.
-pub(super) fn is_expression(tokens: &[TokenTree]) -> bool {
-    has_no_fault(|faults| expression(tokens, Span::call_site(), faults))
-}
-
-fn has_no_fault(read: impl FnOnce(&mut Diagnostics) -> Expression) -> bool {
-    let mut faults = Diagnostics::default();
-    drop(read(&mut faults));
+/// Whether some tokens can be read as they are, inside of as many parentheses and powers as `depth` says.
+pub(super) fn is_expression(tokens: &[TokenTree], depth: usize) -> bool {
+    let (mut faults, place) = (Diagnostics::default(), Span::call_site());
+    drop(Parser { rest: &[], previous: place.into(), depth, diagnostics: &mut faults }.inside(tokens, place));
     faults.is_empty()
 }
 
@@ -216,10 +212,7 @@ impl<'a> Parser<'a> {
     /// Whether some tokens can be read as they are. Only for a message, after which they are skipped: where they are read
     /// again, every level of nested calls doubles the time.
     pub(super) fn is_expression(&self, tokens: &[TokenTree]) -> bool {
-        has_no_fault(|faults| {
-            let (previous, depth) = (self.previous, self.depth);
-            Parser { rest: &[], previous, depth, diagnostics: faults }.inside(tokens, Span::call_site())
-        })
+        is_expression(tokens, self.depth)
     }
 
     pub(super) fn deeper(&mut self, read: impl FnOnce(&mut Self) -> Expression) -> Expression {
