@@ -216,7 +216,7 @@ fn solution(start: Option<&Start>, gap: &Gap) -> String {
     let step = step_from(SIZE_OF_TABLE);
     let table = match start {
         Start::Roots(Roots { reach: Reach::Window, table, .. }) => table,
-        Start::Roots(Roots { reach: Reach::Periods(..), .. }) => return format!("{step}."),
+        Start::Roots(Roots { reach: Reach::Periods { .. }, .. }) => return format!("{step}."),
         Start::Roots(Roots { reach: Reach::Spans(_), .. }) => {
             return format!("{}.", step_from(SIZE_OF_TABLE + Spans::size_in_bytes()));
         }

@@ -7,7 +7,7 @@ use super::coefficients::Coefficients;
 use super::{Names, local, table};
 use crate::closed_forms::PowerSum;
 use crate::number::code;
-use crate::start::roots::{Parts, Power, Reach, Roots};
+use crate::start::roots::{Parts, Reach, Roots};
 
 /// The table with its series, and the spans beyond it.
 pub(super) fn item(roots: &Roots, names: &Names) -> TokenStream {
@@ -48,7 +48,7 @@ fn term(roots: &Roots, load_integral: &PowerSum, coefficients: &Coefficients<'_>
     let c = only.map(|only| coefficients.unweighted(only));
     match &roots.reach {
         Reach::Window => names.generated("OwnTerm"),
-        Reach::Periods(Power { k, q }, Parts { digits, .. }) => {
+        Reach::Periods { k, q, parts: Parts { digits, .. } } => {
             let single_term = names.generated("SingleTerm");
             let [k, q, digits] = [k, q, digits].map(|number| Literal::u32_unsuffixed(*number));
             let single_term = quote!(#single_term::<_, #k, #q, #digits>);

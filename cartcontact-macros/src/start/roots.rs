@@ -35,8 +35,8 @@ pub(crate) struct Roots {
 pub(crate) enum Reach {
     /// Those in the table.
     Window,
-    /// All, for any coefficient, as the table is one whole period of this power.
-    Periods(Power, Parts),
+    /// All, for any coefficient, as the table is one whole period of the power k/q.
+    Periods { k: u32, q: u32, parts: Parts },
     /// The same, with the factors by which spans of 64 octaves multiply radii.
     Spans(Spans),
 }
@@ -46,12 +46,6 @@ pub(crate) struct Spans(Vec<([f32; 3], i32)>);
 
 /// This many spans hold the quotients of all normal numbers.
 const SPANS: i32 = 64;
-
-/// k/q.
-pub(crate) struct Power {
-    pub(crate) k: u32,
-    pub(crate) q: u32,
-}
 
 /// The parts of octaves that have a row each, and the terms that the series then needs.
 #[derive(Clone, Copy)]
@@ -92,19 +86,14 @@ pub(crate) fn roots(geometry: &Geometry, only: &Summand) -> Option<Roots> {
         (Some((j, bottom)), _) => (bottom..bottom + OCTAVES, Some(j), Reach::Window),
         (None, Some(k @ ..=OCTAVES)) => {
             let parts = if k <= OCTAVES_OF_SIXTEENTHS { SIXTEENTHS } else { QUARTERS };
-            (0..k, only.weight(), Reach::Periods(Power::of(exponent)?, parts))
+            let q = exponent.denom().to_u32()?;
+            (0..k, only.weight(), Reach::Periods { k: k.unsigned_abs(), q, parts })
         }
         (None, _) => (0..OCTAVES, only.weight(), Reach::Spans(Spans::of(exponent)?)),
     };
-    let parts = if let Reach::Periods(_, parts) = reach { parts } else { QUARTERS };
+    let parts = if let Reach::Periods { parts, .. } = reach { parts } else { QUARTERS };
     let table = table(exponent, octaves, parts, j.unwrap_or(&Rational::one()))?;
     Some(Roots { table, series: series(rounded(&exponent.recip()), parts.terms), reach })
-}
-
-impl Power {
-    fn of(p: &Rational) -> Option<Self> {
-        Some(Self { k: p.numer().to_u32()?, q: p.denom().to_u32()? })
-    }
 }
 
 impl Spans {

@@ -44,7 +44,7 @@ fn periods_have_all_their_rows_in_the_table() {
         let Some(Start::Roots(roots)) = start(&format!("radius * r^({power})")) else {
             unreachable!("{power}")
         };
-        assert!(matches!(roots.reach, Reach::Periods(..)), "{power}");
+        assert!(matches!(roots.reach, Reach::Periods { .. }), "{power}");
         assert_eq!(roots.table.rows.len(), rows, "{power}");
     }
 }
