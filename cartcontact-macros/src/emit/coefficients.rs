@@ -5,7 +5,6 @@ use num_traits::{One, Zero};
 use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, quote};
 
-use super::expression::Writer;
 use super::operations::Operations;
 use super::power_sum::exponent;
 use super::{Names, bounded_generics, local};
@@ -24,7 +23,7 @@ pub(super) const MOST_WRITTEN_OUT: usize = 8;
 
 /// The digits of the coefficients.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Digits {
+pub(super) enum Digits {
     OfAWord,
     /// Twice those of a word, for sums that are rounded once.
     OfTwo,
@@ -35,7 +34,7 @@ pub(super) struct Coefficients<'a> {
     pub(super) item: &'a Item,
     pub(super) geometry: &'a Geometry,
     pub(super) names: &'a Names,
-    digits: Digits,
+    pub(super) digits: Digits,
 }
 
 impl<'a> Coefficients<'a> {
@@ -80,7 +79,7 @@ impl<'a> Coefficients<'a> {
         }
     }
 
-    fn number(&self, value: &Rational) -> TokenStream {
+    pub(super) fn number(&self, value: &Rational) -> TokenStream {
         match self.digits {
             Digits::OfAWord => self.names.number(value),
             Digits::OfTwo => {
@@ -91,7 +90,7 @@ impl<'a> Coefficients<'a> {
     }
 
     /// A power whose exponent is not an integer.
-    fn power(&self, base: &TokenStream, exponent_of_base: &Rational) -> TokenStream {
+    pub(super) fn power(&self, base: &TokenStream, exponent_of_base: &Rational) -> TokenStream {
         let exponent = exponent(exponent_of_base, self.names);
         match self.digits {
             Digits::OfAWord => {
@@ -124,7 +123,7 @@ impl<'a> Coefficients<'a> {
     }
 
     /// A product with a power of two, which only scales both words of a coefficient.
-    fn scaled(&self, weight: &Rational, product: &impl ToTokens) -> Option<TokenStream> {
+    pub(super) fn scaled(&self, weight: &Rational, product: &impl ToTokens) -> Option<TokenStream> {
         (self.digits == Digits::OfTwo && number::is_power_of_two(weight)).then(|| {
             let (precise, weight) = (self.scalar(), number::literal(weight));
             quote!(<#precise>::scaled(#product, #weight))
@@ -297,21 +296,6 @@ impl<'a> Coefficients<'a> {
         if fields.is_empty() { value_of_fields } else { quote!({ #fields #value_of_fields }) }
     }
 
-    /// An expression in the fields, over the variables that [`fields`](Self::fields) and [`inverses`](Self::inverses)
-    /// bind.
-    pub(super) fn expression(&self, coefficient: &Coefficient) -> TokenStream {
-        let finite_or = self.names.generated("finite_or");
-        let writer = Writer {
-            variable: field_variable,
-            inverse: &|field| self.shares_inverse(field).then(|| inverse_variable(field)),
-            scaled: &|weight, product| self.scaled(weight, product),
-            number: &|value| self.number(value),
-            power: &|base, exponent| self.power(base, exponent),
-            finite_or: (self.digits == Digits::OfAWord).then_some(&finite_or),
-        };
-        writer.sum(coefficient)
-    }
-
     /// Binds the inverses that several quotients share.
     fn inverses(&self) -> TokenStream {
         let shared =
@@ -327,7 +311,7 @@ impl<'a> Coefficients<'a> {
     /// Whether the coefficients have several divisions by powers of a field. Its inverse replaces them where its
     /// rounding does not count: a division of double words takes as much as two products. That of a subnormal field
     /// may be infinite.
-    fn shares_inverse(&self, field: &Ident) -> bool {
+    pub(super) fn shares_inverse(&self, field: &Ident) -> bool {
         let divisors = self.symbolic().flat_map(|(_, coefficient)| coefficient.divisors());
         self.digits == Digits::OfTwo && divisors.filter(|divisor| *divisor == field).count() > 1
     }
@@ -382,6 +366,6 @@ pub(super) fn field_variable(field: &Ident) -> Ident {
     local(&format!("field_{}", unraw(field)))
 }
 
-fn inverse_variable(field: &Ident) -> Ident {
+pub(super) fn inverse_variable(field: &Ident) -> Ident {
     local(&format!("inverse_{}", unraw(field)))
 }

@@ -4,33 +4,20 @@ use num_traits::{One, ToPrimitive};
 use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, quote};
 
+use super::coefficients::{Coefficients, Digits, field_variable, inverse_variable};
 use super::local;
 use crate::gap::coefficient::{Atom, Coefficient, Product, is_divisor};
-use crate::number::{self, Rational};
+use crate::number::{Rational, integer};
 
-/// How parts of an expression are written.
-pub(crate) struct Writer<'a> {
-    pub(crate) variable: fn(&Ident) -> Ident,
-    /// The variable that holds the inverse of a field, to multiply with instead of a division.
-    pub(crate) inverse: &'a dyn Fn(&Ident) -> Option<Ident>,
-    /// A product with a number that takes no multiplication.
-    pub(crate) scaled: &'a dyn Fn(&Rational, &TokenStream) -> Option<TokenStream>,
-    /// Where sums lose digits: a function that returns its first argument, a [factored](Coefficient::factored) sum, or
-    /// the second one if that is not finite.
-    pub(crate) finite_or: Option<&'a TokenStream>,
-    pub(crate) number: &'a dyn Fn(&Rational) -> TokenStream,
-    /// A power whose exponent is not an integer.
-    pub(crate) power: &'a dyn Fn(&TokenStream, &Rational) -> TokenStream,
-}
-
-impl Writer<'_> {
-    /// An expression over the variables of the fields, of a type that is `Copy` and has the arithmetic operators. Each
-    /// product has at most one division.
-    pub(crate) fn sum(&self, coefficient: &Coefficient) -> TokenStream {
+impl Coefficients<'_> {
+    /// An expression in the fields, over the variables that [`fields`](Self::fields) and [`inverses`](Self::inverses)
+    /// bind. Each product has at most one division. In words, a sum that would lose digits is
+    /// [factored](Coefficient::factored), unless that is not finite.
+    pub(super) fn expression(&self, coefficient: &Coefficient) -> TokenStream {
         let sum = self.unfactored(coefficient);
-        match (self.finite_or, coefficient.factored()) {
-            (Some(finite_or), Some(factored)) => {
-                let factored = self.sum(&factored);
+        match coefficient.factored() {
+            Some(factored) if self.digits == Digits::OfAWord => {
+                let (finite_or, factored) = (self.names.generated("finite_or"), self.expression(&factored));
                 quote!(#finite_or(#factored, #sum))
             }
             _ => sum,
@@ -39,7 +26,7 @@ impl Writer<'_> {
 
     fn unfactored(&self, coefficient: &Coefficient) -> TokenStream {
         let mut products = coefficient.products.iter();
-        let Some(first) = products.next() else { return (self.number)(&number::integer(0)) };
+        let Some(first) = products.next() else { return self.number(&integer(0)) };
         let start = self.product(first);
         let start = if first.number.is_negative() { quote!(-#start) } else { start };
         products.fold(start, |sum, product| {
@@ -54,7 +41,7 @@ impl Writer<'_> {
         for (atom, exponent) in product.powers.iter() {
             if !is_divisor(exponent) {
                 above.push(self.raised(self.base(atom), exponent));
-            } else if let Some(inverse) = self.inverse(atom) {
+            } else if let Some(inverse) = self.shared_inverse(atom) {
                 above.push(self.raised(inverse, &exponent.abs()));
             } else {
                 below.push(self.raised(self.base(atom), &exponent.abs()));
@@ -74,31 +61,34 @@ impl Writer<'_> {
     fn weighted(&self, number: &Rational, factors: &[TokenStream]) -> TokenStream {
         let product = multiplied(factors);
         if factors.is_empty() {
-            (self.number)(number)
+            self.number(number)
         } else if number.is_one() {
             product
-        } else if let Some(scaled) = (self.scaled)(number, &product) {
+        } else if let Some(scaled) = self.scaled(number, &product) {
             scaled
         } else {
-            let number = (self.number)(number);
+            let number = self.number(number);
             quote!(#number * #product)
         }
     }
 
     fn base(&self, atom: &Atom) -> TokenStream {
         match atom {
-            Atom::Field { ident, .. } => (self.variable)(ident).to_token_stream(),
+            Atom::Field { ident, .. } => field_variable(ident).into_token_stream(),
             Atom::Sum(inner) => {
-                let inner = self.sum(inner);
+                let inner = self.expression(inner);
                 quote!((#inner))
             }
         }
     }
 
-    fn inverse(&self, atom: &Atom) -> Option<TokenStream> {
+    /// The variable that holds the inverse of a field, to multiply with instead of a division.
+    fn shared_inverse(&self, atom: &Atom) -> Option<TokenStream> {
         match atom {
-            Atom::Field { ident, .. } => (self.inverse)(ident).map(ToTokens::into_token_stream),
-            Atom::Sum(_) => None,
+            Atom::Field { ident, .. } if self.shares_inverse(ident) => {
+                Some(inverse_variable(ident).into_token_stream())
+            }
+            _ => None,
         }
     }
 
@@ -110,7 +100,7 @@ impl Writer<'_> {
                 let repeated = repeated(&variable, exponent);
                 quote!(({ let #variable = #base; #repeated }))
             }
-            _ => (self.power)(&base, exponent),
+            _ => self.power(&base, exponent),
         }
     }
 }
@@ -137,62 +127,59 @@ fn repeated(base: &Ident, exponent: u32) -> TokenStream {
 
 #[cfg(test)]
 mod tests {
-    use quote::format_ident;
-
+    #![expect(clippy::unwrap_used, reason = "a test stops at the first surprise")]
+    use super::super::Names;
     use super::*;
-    use crate::gap::coefficient::samples::{field, number, power};
+    use crate::diagnostics::Diagnostics;
+    use crate::reading::item;
+    use crate::tests::run;
 
-    fn code(of: &Coefficient) -> String {
-        code_with(of, None)
-    }
-
-    fn code_with(of: &Coefficient, finite_or: Option<&TokenStream>) -> String {
-        code_dividing(of, finite_or, &|_| None)
-    }
-
-    fn code_dividing(
-        of: &Coefficient,
-        finite_or: Option<&TokenStream>,
-        inverse: &dyn Fn(&Ident) -> Option<Ident>,
-    ) -> String {
-        let number = |value: &Rational| {
-            let literal = number::literal(value);
-            quote!(c(#literal))
-        };
-        let power = |base: &TokenStream, exponent: &Rational| {
-            let exponent = number(exponent);
-            quote!(p(#base, #exponent))
-        };
-        let variable = Ident::clone;
-        let writer =
-            Writer { variable, inverse, scaled: &|_, _| None, finite_or, number: &number, power: &power };
-        writer.sum(of).to_string()
+    /// The first coefficient of a gap, with short names.
+    fn code(gap: &str, digits: Digits) -> String {
+        let input = quote!(
+            struct Knee {
+                a: f64,
+                b: f64,
+            }
+        );
+        let item = item::parse(input.clone(), &mut Diagnostics::default()).unwrap();
+        let geometry = run(gap.parse().unwrap(), input).unwrap();
+        let names = Names::of(&item);
+        let coefficients = Coefficients { digits, ..Coefficients::new(&item, &geometry, &names) };
+        let code = coefficients.expression(&geometry.gap.terms[0].coefficient).to_string();
+        let names = [
+            ("< T as __cartcontact :: Scalar > :: constant", "c"),
+            ("< __cartcontact :: Precise < T , __FUSED > >", "Precise"),
+            ("__cartcontact :: ", ""),
+            ("__field_", ""),
+        ];
+        names.iter().fold(code, |code, (name, short)| code.replace(name, short))
     }
 
     #[test]
-    fn code_uses_the_fields_and_the_given_paths() {
-        let radius = field("radius");
-        assert_eq!(code(&power(&radius, -1, 1).multiply(&number(-1, 2))), "- c (0.5f64) / radius");
-        assert_eq!(code(&power(&radius, -1, 2)), "p (radius , c (- 0.5f64))");
-        let sum = radius.add(&number(-1, 4));
-        assert_eq!(code(&sum.multiply(&radius)), "- radius * (c (0.25f64) - radius)");
+    fn code_uses_the_fields_and_the_operators() {
+        for (gap, expected) in [
+            ("-r^2 / (2 * a)", "- c (0.5f64) / a"),
+            ("r^2 / a^0.5", "real_power (a , Exponent :: in_parts (- 1 , 0.5 , 0.0))"),
+            ("(a - 1/4) * a * r^2", "- a * (c (0.25f64) - a)"),
+        ] {
+            assert_eq!(code(gap, Digits::OfAWord), expected, "{gap}");
+        }
     }
 
     #[test]
-    fn inverses_replace_divisions_where_there_are_any() {
-        let quotient = power(&field("b"), -1, 1).multiply(&power(&field("a"), -3, 1)).multiply(&number(1, 2));
-        let of_a = |field: &Ident| (field == "a").then(|| format_ident!("inverse_of_{field}"));
-        let cube = "({ let __base = inverse_of_a ; __base * __base * __base })";
-        assert_eq!(code_dividing(&quotient, None, &of_a), format!("c (0.5f64) * {cube} / b"));
+    fn inverses_replace_divisions_where_there_are_several() {
+        let cube = "({ let __base = __inverse_a ; __base * __base * __base })";
+        let quotient = format!("Precise :: scaled ({cube} , 0.5f64) / b");
+        assert_eq!(code("r^2 / (2 * b * a^3) + r^4 / a", Digits::OfTwo), quotient);
     }
 
     #[test]
     fn sums_that_would_lose_digits_are_factored() {
-        let [a, b] = ["a", "b"].map(|name| power(&field(name), -1, 1));
-        let difference = a.add(&b.negated());
-        let plain = "c (1.0f64) / a - c (1.0f64) / b";
-        assert_eq!(code(&difference), plain);
-        let either = code_with(&difference, Some(&quote!(f)));
-        assert_eq!(either, format!("f (- (a - b) / (a * b) , {plain})"));
+        let difference = "r^2 / a - r^2 / b";
+        let factored = "finite_or (- (a - b) / (a * b) , c (1.0f64) / a - c (1.0f64) / b)";
+        assert_eq!(code(difference, Digits::OfAWord), factored);
+        let plain = "Precise :: constant (1.0 , 0.0) / a - Precise :: constant (1.0 , 0.0) / b";
+        assert_eq!(code(difference, Digits::OfTwo), plain);
     }
 }

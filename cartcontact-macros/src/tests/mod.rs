@@ -30,7 +30,7 @@ pub(crate) fn exact(text: &str) -> Rational {
     literal::number(text).unwrap()
 }
 
-fn run(attribute: TokenStream, item: TokenStream) -> Result<Geometry, Vec<String>> {
+pub(crate) fn run(attribute: TokenStream, item: TokenStream) -> Result<Geometry, Vec<String>> {
     let mut diagnostics = Diagnostics::default();
     let attribute = attribute::parse(attribute, &mut diagnostics);
     let item = item::parse(item, &mut diagnostics);
