@@ -211,10 +211,7 @@ impl Neglected {
     fn rest(&self, index: usize) -> [Rest; 2] {
         let (mut least, mut most) = (Vec::new(), Vec::new());
         for series in &self.surfaces {
-            let (Some(first), Some(at_end)) = (series.terms.get(index), series.tails_at_end.get(index))
-            else {
-                continue;
-            };
+            let (first, at_end) = (&series.terms[index], &series.tails_at_end[index]);
             let constant = Rest { at_centre: first * &series.least_tail, rise: Rational::zero() };
             let chord = Rest { at_centre: first.clone(), rise: first * (at_end - Rational::one()) };
             let [lower, upper] = if first.is_negative() { [chord, constant] } else { [constant, chord] };
@@ -231,9 +228,8 @@ impl Neglected {
     /// The smallest ε at some radii, in `f64`: not a bound, but near the smallest ε. Infinite if there is none.
     fn estimate(&self, order: u32) -> f64 {
         let (first, last) = ((order / 2) as usize, (order / 2 + TERMS_AHEAD) as usize);
-        let scale = self.sums.get(last).map_or_else(Rational::zero, |next| next.scale.clone());
-        let rests =
-            self.rest(last).map(|rest| [rest.at_centre, rest.rise].map(|part| product(&part, &scale)));
+        let scale = &self.sums[last].scale;
+        let rests = self.rest(last).map(|rest| [rest.at_centre, rest.rise].map(|part| product(&part, scale)));
         let ratio = |sample: u32| {
             let x = f64::from(sample) / f64::from(SAMPLES);
             let mut gap: f64 = self.others_at_end.iter().map(|(n, term)| term * x.powf(*n)).sum();
