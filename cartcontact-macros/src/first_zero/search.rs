@@ -216,7 +216,7 @@ impl<'a> Search<'a> {
     /// The part of the front from offset/2^bits on that is 2^(2-bits) long, if it has `count` sign changes.
     ///
     /// Around k roots the values shrink by k bits with every halving, starting from about the smallest number of the
-    /// front; this gives the digits that the piece takes.
+    /// front; this gives the digits that the piece takes. If they leave a sign open, the front is halved instead.
     fn piece(
         &self,
         front: &Candidate<'a>,
@@ -226,24 +226,17 @@ impl<'a> Search<'a> {
     ) -> Option<Candidate<'a>> {
         let part = front.part.within(offset, bits, bits - 2);
         let smaller = count as u64 * (bits - 2);
-        let mut digits = front.digits + smaller + 32 - front.local.shortest().min(front.digits);
-        while digits <= MAXIMUM_DIGITS {
-            front.source.grow(digits);
-            digits = (digits + SURPLUS.max(smaller)).min(front.source.digits());
-            let powers = front.source.powers_over(&part, digits);
-            let local = Bernstein::new(&powers, false);
-            let (start, SignChanges { least, most }) =
-                local.sign_changes(&|end| self.sign_at(&part, end, digits));
-            if start == Some(Ordering::Equal) || most < count {
-                return None;
-            }
-            if least == count {
-                let source = front.source.clone();
-                return Some(Candidate::new(part, source, (powers, local), digits, front.missed));
-            }
-            digits = self.more(digits);
+        let needed = front.digits + smaller + 32 - front.local.shortest().min(front.digits);
+        if needed > MAXIMUM_DIGITS {
+            return None;
         }
-        None
+        front.source.grow(needed);
+        let digits = (needed + SURPLUS.max(smaller)).min(front.source.digits());
+        let powers = front.source.powers_over(&part, digits);
+        let local = Bernstein::new(&powers, false);
+        let (start, changes) = local.sign_changes(&|end| self.sign_at(&part, end, digits));
+        let has_all = start != Some(Ordering::Equal) && changes.least == count;
+        has_all.then(|| Candidate::new(part, front.source.clone(), (powers, local), digits, front.missed))
     }
 
     fn at_start(&self, part: &Part) -> RootPlace {
