@@ -85,24 +85,17 @@ impl Bernstein {
     /// Where all roots of the part may lie, if there are `multiplicity` of them.
     ///
     /// Newton's method for a root of this multiplicity leads from both ends to points near the cluster.
-    ///
-    /// Few clusters are so small that all bits of the estimates are needed.
     pub(crate) fn cluster(&self, multiplicity: usize) -> Cluster {
-        let coarse = self.cluster_to(COARSE, multiplicity);
-        if coarse.agreement > COARSE / 2 { self.cluster_to(FINEST, multiplicity) } else { coarse }
-    }
-
-    fn cluster_to(&self, finest: u64, multiplicity: usize) -> Cluster {
         let last = self.numbers.len() - 1;
-        let lower = self.newton(finest, multiplicity, 0, 1);
-        let upper = (BigInt::one() << finest) - self.newton(finest, multiplicity, last, last - 1);
-        Cluster { agreement: finest.saturating_sub((&upper - &lower).bits()), twice: lower + upper, finest }
+        let lower = self.newton(multiplicity, 0, 1);
+        let upper = (BigInt::one() << FINEST) - self.newton(multiplicity, last, last - 1);
+        Cluster { agreement: FINEST.saturating_sub((&upper - &lower).bits()), twice: lower + upper }
     }
 
-    /// How far Newton's method leads from an end, in units of 2^-finest of the part; `neighbour` is the coefficient
+    /// How far Newton's method leads from an end, in units of 2^-FINEST of the part; `neighbour` is the coefficient
     /// next to it. Zero if the method leads outside, as it may from an end amid the roots, or if the value is too small
     /// to be known: the roots are then near this end, if anywhere.
-    fn newton(&self, finest: u64, multiplicity: usize, end: usize, neighbour: usize) -> BigInt {
+    fn newton(&self, multiplicity: usize, end: usize, neighbour: usize) -> BigInt {
         if self.numbers.sign(end, self.error).is_none() {
             return BigInt::zero();
         }
@@ -113,16 +106,15 @@ impl Bernstein {
         if !inside {
             return BigInt::zero();
         }
-        let excess = step.bits().min(fall.bits()).saturating_sub(finest + 64);
+        let excess = step.bits().min(fall.bits()).saturating_sub(FINEST + 64);
         step >>= excess;
         fall >>= excess;
-        let position = (step << finest) / fall;
-        if position <= BigInt::one() << (finest + 1) { position } else { BigInt::zero() }
+        let position = (step << FINEST) / fall;
+        if position <= BigInt::one() << (FINEST + 1) { position } else { BigInt::zero() }
     }
 }
 
-/// Newton's method is computed to 2^-COARSE of the part first, then to 2^-FINEST.
-const COARSE: u64 = 128;
+/// Newton's method is computed to 2^-FINEST of the part.
 const FINEST: u64 = 2048;
 /// The piece around a cluster is this many bits longer than the apparent spread of its roots.
 const MARGIN: u64 = 1;
@@ -133,9 +125,8 @@ const LEAST_GAIN: u64 = 5;
 pub(crate) struct Cluster {
     /// Its estimates from the two ends differ by less than 2^-agreement of the part.
     agreement: u64,
-    /// The sum of the estimates, in units of 2^-finest of the part.
+    /// The sum of the estimates, in units of 2^-FINEST of the part.
     twice: BigInt,
-    finest: u64,
 }
 
 impl Cluster {
@@ -157,7 +148,7 @@ impl Cluster {
 
     fn piece(&self, bits: u64) -> Option<(BigInt, u64)> {
         let bits = bits.checked_sub(MARGIN).filter(|bits| *bits >= LEAST_GAIN)?;
-        let centre: BigInt = &self.twice >> (self.finest + 1 - bits);
+        let centre: BigInt = &self.twice >> (FINEST + 1 - bits);
         let last: BigInt = (BigInt::one() << bits) - 4;
         let offset: BigInt = centre - 2;
         match offset.to_u8() {
