@@ -94,6 +94,8 @@ impl Value {
         (self.words, self.first) = (product, formed);
     }
 
+    /// Adds a multiple of a row. The room of a product is two words longer than a row, so nothing is carried out of the
+    /// sum.
     fn add(&mut self, is_negative: bool, row: &[u64], factor: u64) {
         let words = &mut self.words[self.first..];
         if is_negative == self.is_negative {
@@ -103,9 +105,6 @@ impl Value {
                 let (sum, exceeds) = words[rest].overflowing_add(carry);
                 (words[rest], carry) = (sum, exceeds.into());
                 rest += 1;
-            }
-            if carry != 0 {
-                self.words.push(carry);
             }
         } else {
             let mut borrow = subtract_row(words, row, factor);
