@@ -48,9 +48,6 @@ struct Value<'a> {
     name: Option<&'a Ident>,
     tokens: &'a [TokenTree],
     text: String,
-    /// Whether it is a whole number, with a sign or without.
-    is_whole: bool,
-    is_signed: bool,
     /// Whether a separator before it may be meant as a decimal point.
     follows_comma: bool,
 }
@@ -79,10 +76,7 @@ impl<'a> Value<'a> {
         };
         let text = tokens.iter().cloned().collect::<TokenStream>().to_string();
         let text = text.strip_prefix("- ").map_or(text.clone(), |size| format!("-{size}"));
-        let size = text.strip_prefix('-');
-        let is_whole = literal::is_whole(size.unwrap_or(&text));
-        let follows_comma = follows_comma && name.is_none();
-        Value { name, tokens, is_whole, is_signed: size.is_some(), text, follows_comma }
+        Value { name, tokens, text, follows_comma: follows_comma && name.is_none() }
     }
 
     fn is_named_radius(&self) -> bool {
@@ -118,7 +112,8 @@ fn with_constant(only: &Value<'_>, is_readable: bool) -> String {
 
 /// Whether a comma between two values may be meant as a decimal point.
 fn is_decimal([whole, decimals]: [&Value<'_>; 2]) -> bool {
-    whole.is_whole && decimals.is_whole && !decimals.is_signed && decimals.follows_comma
+    let size = whole.text.strip_prefix('-').unwrap_or(&whole.text);
+    literal::is_whole(size) && literal::is_whole(&decimals.text) && decimals.follows_comma
 }
 
 /// Whether two values may be meant as a radius and a conic constant rather than as one decimal: no whole constant but 0
