@@ -47,10 +47,9 @@ impl FirstRoot {
 
     /// Compares the root to the power `numerator/denominator` of a positive number.
     ///
-    /// Both sides are raised to `denominator`. Narrowing the interval decides unless they are equal or nearly so. Once
-    /// the interval is shorter than the digits of the number suggest, the sign of the polynomial decides if the number
-    /// need not be raised; otherwise both sides are equal if the polynomial shares a root in the interval with
-    /// x^denominator - number^numerator, which has one positive root.
+    /// Both sides are raised to `denominator`. Narrowing the interval decides unless they are equal. Once the interval is
+    /// shorter than the digits of the number suggest, both sides are equal if the polynomial shares a root in the
+    /// interval with x^denominator - number^numerator, which has one positive root.
     pub(crate) fn compare_to_power(
         &mut self,
         number: &Rational,
@@ -73,10 +72,6 @@ impl FirstRoot {
                 return Ordering::Less;
             }
             if !checked && self.is_narrow(bits) {
-                if denominator == 1 {
-                    // No root lies below this one, so the polynomial is positive on its left.
-                    return self.polynomial.sign_at_fraction(&power.exact());
-                }
                 if self.satisfies(&power.exact(), denominator) {
                     return Ordering::Equal;
                 }

@@ -75,16 +75,6 @@ impl IntegerPolynomial {
         self.value_at(&(offset << exponent.max(0)), bits).cmp(&BigInt::zero())
     }
 
-    /// The sign at a fraction, by Horner's rule with all terms brought to the power of its denominator.
-    pub(crate) fn sign_at_fraction(&self, fraction: &Rational) -> Ordering {
-        let (mut value, mut unit) = (BigInt::zero(), BigInt::one());
-        for coefficient in self.coefficients.iter().rev() {
-            value = value * fraction.numer() + coefficient * &unit;
-            unit *= fraction.denom();
-        }
-        value.cmp(&BigInt::zero())
-    }
-
     /// x^n p(1/x), for a p that is not zero at 0.
     pub(crate) fn reversed(mut self) -> Self {
         self.coefficients.reverse();
@@ -179,18 +169,9 @@ fn common_numerator(terms: &[(usize, &Rational)]) -> BigInt {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::number::fraction;
 
     fn polynomial(coefficients: &[i64]) -> IntegerPolynomial {
         IntegerPolynomial::new(coefficients.iter().map(|&coefficient| coefficient.into()).collect())
-    }
-
-    #[test]
-    fn signs_at_fractions_are_exact() {
-        let product = polynomial(&[-6, 1, 12]);
-        let signs = [(2, 3), (-3, 4), (666_667, 1_000_000), (0, 1)]
-            .map(|(numerator, denominator)| product.sign_at_fraction(&fraction(numerator, denominator)));
-        assert_eq!(signs, [Ordering::Equal, Ordering::Equal, Ordering::Greater, Ordering::Less]);
     }
 
     #[test]
