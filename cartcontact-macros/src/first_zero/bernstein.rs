@@ -130,24 +130,12 @@ pub(crate) struct Cluster {
 }
 
 impl Cluster {
-    /// A piece as long as the difference of the estimates: it starts at offset/2^bits and is 2^(2-bits) long. That is
-    /// enough if the estimates differ only because of roots outside the part that are at least its length away.
-    ///
-    /// Roots as far away as the whole interval is long make a difference of about 2^-width of a part of this width. If
-    /// the estimates agree much better, they differ for another reason.
-    pub(crate) fn short_piece(&self, width: u64) -> Option<(BigInt, u64)> {
-        if self.agreement > 2 * width + 16 { None } else { self.piece(self.agreement) }
-    }
-
-    /// A longer piece, of at most `most_bits` bits. If the roots of the cluster are up to s away from their mean, s
-    /// itself cancels in the estimates, which then differ by about s² only. So half of the bits in which they agree
-    /// give a piece as long as s.
-    pub(crate) fn long_piece(&self, most_bits: u64) -> Option<(BigInt, u64)> {
-        self.piece((self.agreement / 2).min(most_bits))
-    }
-
-    fn piece(&self, bits: u64) -> Option<(BigInt, u64)> {
-        let bits = bits.checked_sub(MARGIN).filter(|bits| *bits >= LEAST_GAIN)?;
+    /// A piece of at most `most_bits` bits: it starts at offset/2^bits and is 2^(2-bits) long. If the roots of the
+    /// cluster are up to s away from their mean, s itself cancels in the estimates, which then differ by about s² only.
+    /// So half of the bits in which they agree give a piece as long as s.
+    pub(crate) fn piece(&self, most_bits: u64) -> Option<(BigInt, u64)> {
+        let bits =
+            (self.agreement / 2).min(most_bits).checked_sub(MARGIN).filter(|bits| *bits >= LEAST_GAIN)?;
         let centre: BigInt = &self.twice >> (FINEST + 1 - bits);
         let last: BigInt = (BigInt::one() << bits) - 4;
         let offset: BigInt = centre - 2;
@@ -289,11 +277,11 @@ mod tests {
         let whole = Whole::new(&polynomial, 0);
         let source = interval(&whole, 300);
         let local = over(&source, &Part::whole(), 300);
-        let Some((offset, bits)) = local.cluster(3).long_piece(u64::MAX) else { unreachable!() };
+        let Some((offset, bits)) = local.cluster(3).piece(u64::MAX) else { unreachable!() };
         let piece = Part::whole().within(&offset, bits, bits - 2);
         let changes = over(&source, &piece, 300).sign_changes(&|end| whole.sign_at(&piece, end)).1;
         assert!(bits > 8 && changes == SignChanges { least: 3, most: 3 });
-        assert_eq!(local.cluster(2).long_piece(u64::MAX), None);
+        assert_eq!(local.cluster(2).piece(u64::MAX), None);
     }
 
     #[test]

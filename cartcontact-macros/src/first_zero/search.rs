@@ -195,22 +195,19 @@ impl<'a> Search<'a> {
     /// If an interval has missed some roots, the next one tried is halfway in bits; unless the roots turn out to fit
     /// into an interval as short, so that the first one was in the wrong place.
     fn around_cluster(&self, front: &mut Candidate<'a>, count: usize) -> Option<Candidate<'a>> {
-        let cluster = front.local.cluster(count);
         let width = front.part.width;
-        let (short, longest) = match front.missed {
+        let longest = match front.missed {
             Missed { count: missed, width: too_small } if missed == count && width < too_small => {
-                (None, (too_small - width) / 2)
+                (too_small - width) / 2
             }
-            _ => (cluster.short_piece(width), u64::MAX),
+            _ => u64::MAX,
         };
-        for (offset, bits) in short.into_iter().chain(cluster.long_piece(longest)) {
-            let piece = self.piece(front, &offset, bits, count);
-            if piece.is_some() {
-                return piece;
-            }
+        let (offset, bits) = front.local.cluster(count).piece(longest)?;
+        let piece = self.piece(front, &offset, bits, count);
+        if piece.is_none() {
             front.missed = Missed { count, width: width + bits - 2 };
         }
-        None
+        piece
     }
 
     /// The part of the front from offset/2^bits on that is 2^(2-bits) long, if it has `count` sign changes.
