@@ -52,6 +52,25 @@ fn coefficients_of_tiny_exponents_need_not_be_in_range() -> Result<(), Box<dyn c
     Ok(())
 }
 
+/// In f32 the two terms of J are infinite from 1.15e5 mm on; their difference, some 400 times smaller, is not.
+#[test]
+fn infinite_terms_of_both_signs_are_refused() -> Result<(), Box<dyn core::error::Error>> {
+    let (c, d, force) = (4.01e-4_f32, 4e-4_f32, 0.168_f32);
+    let radius = |m: f32| -> Result<_, Box<dyn core::error::Error>> {
+        let gap = Polynomial::new([(-d, 4.5), (c, 4.5)])?;
+        let contact = Contact::new(gap, Medium::from_constants(m, 0.0)?, Constant(force))?;
+        Ok(contact.at(0.0).map(|now| now.radius()))
+    };
+    assert!(matches!(radius(1.7e-38)?, Err(ContactError::Unrepresentable { .. })));
+    let m = 1.7e-35;
+    let load_integral = f64::from(force) / (core::f64::consts::FRAC_PI_4 * f64::from(m));
+    let coefficient = (f64::from(c) - f64::from(d)) * 4.5 / (6.5 * 8.5);
+    let expected = (load_integral / coefficient).powf(1.0 / 8.5);
+    let error = f64::from(radius(m)??) / expected - 1.0;
+    assert!(error.abs() < 400.0 * f64::from(f32::EPSILON), "{error:e}");
+    Ok(())
+}
+
 /// A sphere on another one or on a plane.
 #[gap_profile(r^2 / (2 * upper) - r^2 / (2 * lower))]
 struct SphereOnSphere {

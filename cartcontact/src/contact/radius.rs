@@ -84,6 +84,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
                 leaves_at: self.time_of_leaving(t).value(),
                 max_radius,
             },
+            RadiusError::Unrepresentable { .. } => unrepresentable,
             other => ContactError::Radius { time: t.value(), error: other },
         })?;
         if self.keeps_digits(loading.force, radius, load_integral) {

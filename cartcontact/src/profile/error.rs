@@ -24,6 +24,11 @@ pub enum RadiusError {
         /// The contact radius that belongs to it, in mm.
         max_radius: f64,
     },
+    /// Terms of both signs cancel to the load integral, but are themselves too large for the format.
+    Unrepresentable {
+        /// What was given, in mm⁵.
+        load_integral: f64,
+    },
     /// The number of places for radii differs from the number of load integrals.
     Length {
         /// The number of load integrals.
@@ -62,6 +67,12 @@ impl fmt::Display for RadiusError {
                 Shown(load_integral),
                 Shown(largest),
                 Shown(max_radius)
+            ),
+            Self::Unrepresentable { load_integral } => write!(
+                f,
+                "the load integral {} is a difference of terms that are too large for the format; choose units in \
+                 which force and length are nearer to 1",
+                Shown(load_integral)
             ),
             Self::Length { load_integrals, radii } => write!(
                 f,

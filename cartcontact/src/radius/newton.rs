@@ -41,7 +41,8 @@ use crate::scalar::{has_no_derivatives, lesser, without_derivatives};
 ///
 /// # Errors
 ///
-/// [`RadiusError`] if `target` is negative or not finite, or exceeds J(`limit`).
+/// [`RadiusError`] if `target` is negative or not finite, or exceeds J(`limit`), and if terms of both signs leave the
+/// format before J reaches it.
 #[inline]
 pub fn invert<T: Scalar>(
     mut target: T,
@@ -64,19 +65,26 @@ pub fn invert<T: Scalar>(
     if target > largest * (T::one() + T::default_epsilon() * T::constant(16.0)) {
         return Err(beyond(target, largest, limit));
     }
+    let mut has_infinite_terms = false;
     if largest.is_finite() {
         target = lesser(target, largest);
         bracket.high = plain_limit;
     } else if has_negative_terms {
         // Also where J(`limit`) is the difference of infinite terms.
-        let high = above(target, bracket.high, &evaluate);
-        bracket.high = high.ok_or_else(|| beyond(target, -T::infinity(), limit))?.min(plain_limit);
+        let found = above(target, bracket.high, &evaluate);
+        let (high, value) = found.ok_or_else(|| beyond(target, -T::infinity(), limit))?;
+        bracket.high = high.min(plain_limit);
+        has_infinite_terms = !value.is_finite();
     }
     bracket.low = bracket.low.min(bracket.high);
     let close = close_enough(has_negative_terms);
     let plain = |(value, log_slope)| (without_derivatives(value), without_derivatives(log_slope));
     let functions = (|a| plain(evaluate(a)), |a| without_derivatives(load_integral(a)));
     let radius = iterate(without_derivatives(target), start.min(bracket.high), bracket, close, functions);
+    // Halving a bracket that ends where terms are infinite may lead to the radius from which on they are.
+    if has_infinite_terms && !evaluate(radius * (T::one() + roundings())).0.is_finite() {
+        return Err(RadiusError::Unrepresentable { load_integral: target.value() });
+    }
     // The last step may end a few units in the last place beyond the bracket.
     if radius > limit || has_no_derivatives::<T>() {
         return Ok(lesser(radius, limit));
@@ -89,9 +97,9 @@ pub fn invert<T: Scalar>(
     }))
 }
 
-/// A radius of which J is not below `target`, from `high` on; none if J falls further than it has to rise, as that of a
-/// geometry that is not admissible may: then it is not sought in vain.
-fn above<T: Scalar>(target: T, mut high: T, evaluate: impl Fn(T) -> (T, T)) -> Option<T> {
+/// A radius of which J is not below `target`, from `high` on, and J; none if J falls further than it has to rise, as that
+/// of a geometry that is not admissible may: then it is not sought in vain.
+fn above<T: Scalar>(target: T, mut high: T, evaluate: impl Fn(T) -> (T, T)) -> Option<(T, T)> {
     let (mut value, mut log_slope) = evaluate(high);
     // Not a number, if terms of both signs overflow, ends it too.
     while value < target {
@@ -101,7 +109,12 @@ fn above<T: Scalar>(target: T, mut high: T, evaluate: impl Fn(T) -> (T, T)) -> O
         high += high;
         (value, log_slope) = evaluate(high);
     }
-    Some(high)
+    Some((high, value))
+}
+
+/// A few roundings, as a share.
+fn roundings<T: Scalar>() -> T {
+    T::default_epsilon() * T::constant(4.0)
 }
 
 /// Where the search begins.
@@ -141,7 +154,7 @@ struct Bracket<T> {
 impl<T: Scalar> Bracket<T> {
     /// Next to the root a step may leave by a rounding, which is no reason to begin again in the middle.
     fn contains(&self, a: T) -> bool {
-        let rounding = a * T::default_epsilon() * T::constant(4.0);
+        let rounding = a * roundings();
         self.low - rounding <= a && a <= self.high + rounding
     }
 
@@ -266,6 +279,28 @@ mod tests {
             let found = invert(target, f64::INFINITY, positive, true, evaluate, |a| evaluate(a).0);
             let left = found.map(|a| (nearly_flat(b, a).0.0 - target).abs() / size);
             assert!(left.is_ok_and(|left| left < f64::EPSILON), "{k}: {left:?}");
+        }
+    }
+
+    /// J = a⁸, the difference of terms that are a hundred times as large.
+    #[test]
+    fn radii_beyond_finite_terms_are_refused() {
+        let evaluate = |a: f64| {
+            let power = a.powi(8);
+            (101.0 * power - 100.0 * power, 808.0 * power - 800.0 * power)
+        };
+        for (a, is_known) in [(1e30_f64, true), (1e38, true), (2e38, false), (3e38, false)] {
+            let target = a.powi(8);
+            let found =
+                invert(target, f64::INFINITY, [(101.0 * 12.0, 4.0)], true, evaluate, |a| evaluate(a).0);
+            if is_known {
+                assert!(
+                    found.is_ok_and(|found| (found / a - 1.0).abs() < 100.0 * f64::EPSILON),
+                    "{a:e}: {found:?}"
+                );
+            } else {
+                assert_eq!(found, Err(RadiusError::Unrepresentable { load_integral: target }));
+            }
         }
     }
 
