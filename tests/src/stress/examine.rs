@@ -151,7 +151,7 @@ impl<T: Precision> Examination<'_, T> {
         let slope = radius.map_or(0.0, |a| (y / (a * a * a * a * a)).value());
         let curvature = if fourth > 0.0 { force / fourth } else { 0.0 };
         let kernels = radius.map(|a| self.exact.profile.kernels(a));
-        let growth = kernels.as_ref().map_or(0.0, |kernels| kernels.log_slope.value.value());
+        let growth = kernels.map_or(0.0, |kernels| kernels.log_slope.value.value());
         // Terms of both signs may be far larger than their sum.
         let terms = kernels.map_or(0.0, |kernels| kernels.load_integral.size.value());
         let drained_slope = curvature / self.exact.stiffness().value();
@@ -193,7 +193,8 @@ impl<T: Precision> Examination<'_, T> {
         self.field(now, condition);
         self.units(now);
         if depth.balance && self.scene.knots.len() <= MOST_KNOTS {
-            self.balance(now, on_the_way * of_fall);
+            // The pressure carries J of the radius that was found, whose error J magnifies to that of its own terms.
+            self.balance(now, on_the_way.max(here.load_integral.condition()) * of_fall);
         }
     }
 
