@@ -52,7 +52,7 @@ fn coefficients_of_tiny_exponents_need_not_be_in_range() -> Result<(), Box<dyn c
     Ok(())
 }
 
-/// In f32 the two terms of J are infinite from 1.15e5 mm on; their difference, some 400 times smaller, is not.
+/// In f32 the two terms of a J′ are infinite from 9e4 mm on; their difference, some 400 times smaller, is not.
 #[test]
 fn infinite_terms_of_both_signs_are_refused() -> Result<(), Box<dyn core::error::Error>> {
     let (c, d, force) = (4.01e-4_f32, 4e-4_f32, 0.168_f32);

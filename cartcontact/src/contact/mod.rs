@@ -115,8 +115,8 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
     /// Σ|terms of J|/(a J′).
     ///
     /// This holds as long as the input, 2 χ F, 4 F/(π m), ∫F, 2 Y, J(a), a J′(a), J(a)/a⁵, a⁴, F/a⁴, 4 F/(π m a⁴) and the
-    /// result are normal numbers, with fractional exponents √(8/ε) δ₀′(a), too, and the terms of J are finite if they have
-    /// both signs; powers and products on the way to them need not be.
+    /// result are normal numbers, with fractional exponents √(8/ε) δ₀′(a), too, and the terms of a J′ are finite if they
+    /// have both signs; powers and products on the way to them need not be.
     ///
     /// # Errors
     ///

@@ -109,7 +109,7 @@ impl<T: Precision> Examination<'_, T> {
         }
     }
 
-    /// An error at a time is right beyond the admissible range, and where J, a term of it or a J′ leaves the format.
+    /// An error at a time is right beyond the admissible range, and where J, a J′ or a term of that leaves the format.
     fn refused(&mut self, error: &ContactError, time: T) {
         let time = Wide::of(time.value());
         let y = self.exact.hereditary(time) / self.exact.stiffness();
@@ -153,7 +153,7 @@ impl<T: Precision> Examination<'_, T> {
         let kernels = radius.map(|a| self.exact.profile.kernels(a));
         let growth = kernels.map_or(0.0, |kernels| kernels.log_slope.value.value());
         // Terms of both signs may be far larger than their sum.
-        let terms = kernels.map_or(0.0, |kernels| kernels.load_integral.size.value());
+        let terms = kernels.map_or(0.0, |kernels| kernels.log_slope.size.value());
         let drained_slope = curvature / self.exact.stiffness().value();
         let numbers = [y.value(), force, force * chi, impulse, fourth, slope, curvature, drained_slope];
         numbers.into_iter().any(|x| x < T::LEAST * (1.0 + 4.0 * T::EPSILON))
