@@ -24,7 +24,7 @@ pub enum RadiusError {
         /// The contact radius that belongs to it, in mm.
         max_radius: f64,
     },
-    /// Terms of both signs cancel to the load integral, but are themselves too large for the format.
+    /// Terms of both signs cancel to the load integral, but they or those of a J′ are too large for the format.
     Unrepresentable {
         /// What was given, in mm⁵.
         load_integral: f64,

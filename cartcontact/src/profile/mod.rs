@@ -252,8 +252,8 @@ pub trait GapProfile<T: Scalar> {
     ///
     /// [`RadiusError`] for an argument that is negative, not finite, or beyond J of [`max_radius`](Self::max_radius);
     /// up to 30 roundings beyond, by which coefficients that depend on fields may be off, the result is still
-    /// `max_radius`. If a geometry has no radii at all, [`check`](Self::check) tells why. Also if terms of both signs leave
-    /// the format before J does.
+    /// `max_radius`. Also where terms of a J′ have both signs and leave the format. If a geometry has no radii at all,
+    /// [`check`](Self::check) tells why.
     // Always inlined: otherwise it is a call with its result in memory in one program and not in the next.
     #[inline(always)]
     fn radius(&self, load_integral: T) -> Result<T, RadiusError> {

@@ -41,8 +41,8 @@ use crate::scalar::{has_no_derivatives, lesser, without_derivatives};
 ///
 /// # Errors
 ///
-/// [`RadiusError`] if `target` is negative or not finite, or exceeds J(`limit`), and if terms of both signs leave the
-/// format before their sum reaches it.
+/// [`RadiusError`] if `target` is negative or not finite, or exceeds J(`limit`), and where terms of a J′ have both signs
+/// and leave the format.
 #[inline]
 pub fn invert<T: Scalar>(
     mut target: T,
