@@ -188,9 +188,10 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Panel<'a, T, P, L> {
         let (contact, chi) = (self.contact, self.contact.medium().chi());
         let deficit =
             contact.load_per_integral() * contact.profile().load_integral_drop(now.radius, now.radius - r);
-        let age = Line::to(contact.load().force_before(now.time), self.force_rate, chi).age(deficit);
-        let elapsed = now.time - self.start.time;
-        let (offset, slope) = self.integrals(elapsed, age.min(now.time - before.time));
+        let (elapsed, duration) = (now.time - self.start.time, now.time - before.time);
+        let force = contact.load().force_before(now.time);
+        let line = Line::to(force, self.force_rate * duration, chi * duration);
+        let (offset, slope) = self.integrals(elapsed, duration * line.age(deficit).min(T::one()));
         let faded = T::one() + decay_gain(chi * elapsed);
         not_negative(faded * (offset - slope * ((r - self.start.radius) * (r + self.start.radius))))
     }

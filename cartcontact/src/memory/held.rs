@@ -72,12 +72,12 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
 
     /// The shortest rule for the stretch, if its load was held.
     fn rule_for_held_load(&self) -> Option<&'static Rule> {
-        if !matches!(self.course, Course::Linear { line, .. } if line.is_held()) {
+        if !matches!(self.course, Course::Linear(line) if line.is_held()) {
             return None;
         }
         let profile = self.contact.profile();
         let powers = (profile.highest_exponent() + T::constant(4.0)) * (self.high - self.low);
-        let folds = self.course.folds(self.contact.medium().chi());
+        let folds = self.course.folds();
         let limits: &[Limits] = if is_single::<T>() { &SINGLE } else { &DOUBLE };
         let first = if profile.has_only_positive_terms() {
             0
@@ -98,7 +98,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
         let (contact, square) = (self.contact, self.high * self.high);
         let slope = square * square * contact.profile().quick_approach_slope(self.high) * T::constant(0.5);
         let drop = slope * (self.high - self.low);
-        let folds = contact.medium().chi() * self.age(contact.load_per_integral() * drop);
+        let folds = self.age(contact.load_per_integral() * drop);
         (folds <= T::constant(MOST_FOLDS_AT_EDGE)).then_some(folds)
     }
 }

@@ -3,7 +3,7 @@
 use crate::Scalar;
 use crate::numbers::binary::ratio;
 
-/// ∫ δ₀′(s) e^(−χ age) {s² − low², 1, (s² − low²)²} ds over the radii from `low` to that at the end of a stretch.
+/// ∫ δ₀′(s) e^(−age) {s² − low², 1, (s² − low²)²} ds over the radii from `low` to that at the end of a stretch.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Increment<T> {
     /// The pressure at `low`, in units of m/4.
@@ -20,7 +20,7 @@ impl<T: Scalar> Increment<T> {
         Self { offset: T::zero(), slope: T::zero(), spread: T::zero() }
     }
 
-    /// An increment laid at the radius s: `weight` is ∫ δ₀′ e^(−χ age) ds.
+    /// An increment laid at the radius s: `weight` is ∫ δ₀′ e^(−age) ds.
     #[inline(always)]
     pub(super) fn at(s: T, weight: T, low: T) -> Self {
         let rise = (s - low) * (s + low);
@@ -52,7 +52,7 @@ impl<T: Scalar> Increment<T> {
         Self { offset, slope, spread }
     }
 
-    /// The increment of an integral over time, where δ₀′ ds is 2 dJ/s⁴: the weights are those of 2 e^(−χ age) dJ, and
+    /// The increment of an integral over time, where δ₀′ ds is 2 dJ/s⁴: the weights are those of 2 e^(−age) dJ, and
     /// are divided by s⁴ here.
     #[inline(always)]
     pub(super) fn over_time(radii: &[T], weights: &mut [T], low: T) -> Self {
@@ -76,7 +76,7 @@ impl<T: Scalar> Increment<T> {
         Self { offset: self.offset * factor, slope: self.slope * factor, spread: self.spread * factor }
     }
 
-    /// The increment scaled so that it carries `load`, (π m/8) ∫ δ₀′ e^(−χ age) s⁴ ds, in units of π m/4.
+    /// The increment scaled so that it carries `load`, (π m/8) ∫ δ₀′ e^(−age) s⁴ ds, in units of π m/4.
     ///
     /// The load follows from the forces at both ends of the stretch, and the pressure from the load, except for where
     /// in the stretch it is laid: the roundings of m cancel, and so do those of δ₀′ and of ages that all nodes have in

@@ -1,4 +1,7 @@
 //! How long ago the hereditary load was smaller, along a straight load.
+//!
+//! Time counts in durations of the load, so that rates are gains over one duration: they are forces, and as far within
+//! the range of numbers as those of the load. A rate χ F of a small force may be below that range.
 
 use crate::Scalar;
 use crate::numbers::binary::{scale, split};
@@ -7,21 +10,22 @@ use crate::scalar::{is_plain_zero, raised_to_zero, smallest_normal};
 /// A straight load, as seen from its end.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Line<T> {
-    pub(crate) chi: T,
+    /// χ times the duration.
+    pub(super) folds: T,
     /// F′.
-    pub(crate) force_rate: T,
+    pub(super) force_rate: T,
     /// Y′ = F′ + χ F at the end. It is 0 for a load that falls as fast as it may, and then rounding of either sign, which
     /// adds up to nothing.
-    pub(crate) hereditary_rate: T,
+    pub(super) hereditary_rate: T,
 }
 
 impl<T: Scalar> Line<T> {
-    /// The line with a slope that ends at a force.
-    pub(crate) fn to(force: T, force_rate: T, chi: T) -> Self {
-        Self { chi, force_rate, hereditary_rate: force_rate + chi * force }
+    /// The line that ends at a force, after a rise of so much during so many e-foldings.
+    pub(crate) fn to(force: T, rise: T, folds: T) -> Self {
+        Self { folds, force_rate: rise, hereditary_rate: rise + folds * force }
     }
 
-    /// How long before the end Y was smaller than at the end by `deficit`.
+    /// How many durations before the end Y was smaller than at the end by `deficit`.
     #[inline]
     pub(crate) fn age(self, deficit: T) -> T {
         if self.is_held() {
@@ -48,7 +52,7 @@ impl<T: Scalar> Line<T> {
     /// 2 χ F′ times a deficit, as a product of two numbers of the size of Y′.
     #[inline(always)]
     fn bend(self, deficit: T) -> T {
-        (T::constant(2.0) * self.force_rate) * (self.chi * deficit)
+        (T::constant(2.0) * self.force_rate) * (self.folds * deficit)
     }
 
     /// The age of a deficit that [has one](Self::has_root) by this formula.
@@ -75,15 +79,15 @@ impl<T: Scalar> Line<T> {
     /// The age of a deficit where the squares of rates are out of range: the same root, with all rates in units of a
     /// power of two near the largest, so that not a bit depends on the units of the load.
     fn age_in_units(self, deficit: T) -> T {
-        let Self { chi, force_rate, .. } = self;
+        let Self { folds, force_rate, .. } = self;
         let rate = self.rate();
-        let curved = chi.sqrt() * force_rate.abs().sqrt() * deficit.abs().sqrt();
+        let curved = folds.sqrt() * force_rate.abs().sqrt() * deficit.abs().sqrt();
         let largest = rate.max(curved);
         if largest.is_zero() {
             return T::zero();
         }
         let (_, exponent) = split(largest);
         let [rate, force_rate, deficit] = [rate, force_rate, deficit].map(|x| scale(x, -exponent));
-        Self { chi, force_rate, hereditary_rate: rate }.root(deficit)
+        Self { folds, force_rate, hereditary_rate: rate }.root(deficit)
     }
 }

@@ -68,7 +68,7 @@ struct Nodes<T> {
     radii: PerNode<T>,
     /// δ₀′
     slopes: PerNode<T>,
-    /// δ₀′ e^(−χ age) ds
+    /// δ₀′ e^(−age) ds
     weights: PerNode<T>,
 }
 

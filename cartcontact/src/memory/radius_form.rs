@@ -1,9 +1,9 @@
-//! The memory integrals over the radius: ∫ δ₀′(s) e^(−χ age(s)) {…} ds with the integrands of an [`Increment`].
+//! The memory integrals over the radius: ∫ δ₀′(s) e^(−age(s)) {…} ds with the integrands of an [`Increment`].
 //!
 //! The variable is the depth below the edge: after a long history the integrand is a thin layer there, for which
 //! rounded radii would be too coarse. Most held loads take one panel, see [`held`](super::held). All others take panels
 //! as long as the finest rule integrates to full accuracy, usually one. What lies below a panel adds at most
-//! e^(−χ age) (δ₀(s) − δ₀(low)), because ages only grow inwards; the integral ends when that no longer counts.
+//! e^(−age) (δ₀(s) − δ₀(low)), because ages only grow inwards; the integral ends when that no longer counts.
 //!
 //! Under a profile with fractional exponents the innermost quarter, `increment_of_core`, is integrated over s^(1/4)
 //! instead. That makes multiples of 1/4 whole and leaves other powers s^n a singularity of order 4 (n+2) − 1, at least
@@ -93,13 +93,13 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
 
     /// Whether what lies below a depth with an age adds nothing to the sum of what lies above.
     fn is_all_that_counts(&self, (depth, age): (T, T), sum: &Increment<T>) -> bool {
-        let (profile, chi) = (self.contact.profile(), self.contact.medium().chi());
+        let profile = self.contact.profile();
         let negligible = T::default_epsilon() * T::constant(0.0625);
         let uncertainty = T::default_epsilon() * T::constant(8.0);
         let (low, top) = (self.low, self.high - depth);
         let (at_top, at_low) = (profile.quick_approach(top), profile.quick_approach(low));
         // Two powers near the zeroth may differ by less than their rounding, which then bounds what is left.
-        let rest = (-(chi * age)).exp() * ((at_top - at_low) + at_top * uncertainty);
+        let rest = (-age).exp() * ((at_top - at_low) + at_top * uncertainty);
         let rest_offset = rest * ((top - low) * (top + low));
         rest <= sum.slope * negligible && rest_offset <= sum.offset * negligible
     }
@@ -151,14 +151,14 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
     ///
     /// The rate at its beginning does not bound the rate further in where δ₀′ nearly vanishes there and rises again.
     fn end_of_panel(&self, (depth, age): (T, T), end: T, of_powers: T) -> (T, T) {
-        let rate = self.contact.medium().chi() * T::constant(MARGIN_OF_MEASURED_FADING);
+        let margin = T::constant(MARGIN_OF_MEASURED_FADING);
         let most = Rule::FINEST.folds::<T>();
         let mut length = end - depth;
         loop {
             let age_at_end = self.age_at(depth + length);
             // The rate at the end, from the last 64th of the panel.
             let age_before_end = self.age_at(depth + length * T::constant(63.0 / 64.0));
-            let fading = rate * (age_at_end - age).max((age_at_end - age_before_end) * T::constant(64.0));
+            let fading = margin * (age_at_end - age).max((age_at_end - age_before_end) * T::constant(64.0));
             let folds = of_powers * length + fading;
             // NaN, which derivatives may be, gets no better.
             let is_halved = folds > most && length > self.shortest_panel();
@@ -200,25 +200,25 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
         let (contact, high) = (self.contact, self.high);
         let (n, length) = (contact.profile().highest_exponent(), high - self.low);
         let powers = (n + T::one()) * length;
-        let fading = self.course.folds(contact.medium().chi()) * (high + (n + T::constant(4.0)) * length);
+        let fading = self.course.folds() * (high + (n + T::constant(4.0)) * length);
         let centre = folds_at_centre(contact.profile()) * length;
         // Both sides times the radius, so that nothing is divided.
         T::constant(MARGIN) * (powers + fading) + centre <= Rule::EIGHT.folds::<T>() * high
     }
 
     /// How fast the integrand changes at a depth, in e-foldings per length, for the choice of a rule: its powers, and
-    /// e^(−χ age).
+    /// e^(−age).
     ///
-    /// These are the logarithmic slopes of its powers and of e^(−χ age), with a [`MARGIN`], and what singularities
+    /// These are the logarithmic slopes of its powers and of e^(−age), with a [`MARGIN`], and what singularities
     /// count as, [`FOLDS_AT_DISTANCE`].
     fn folds_per_length(&self, depth: T, age: T) -> (T, T) {
-        let (profile, chi) = (self.contact.profile(), self.contact.medium().chi());
+        let profile = self.contact.profile();
         let top = self.high - depth;
         // The rate at which ages grow, from the first 64th of what is left.
         let step = (top - self.low) * T::constant(1.0 / 64.0);
         // δ₀′ (s² − low²); a high power may add little here, but no short rule integrates it.
         let powers = (profile.highest_exponent() + T::one()) / top;
-        let fading = chi * (self.age_at(depth + step) - age) / step;
+        let fading = (self.age_at(depth + step) - age) / step;
         let of_singularity =
             self.singularity(top).map_or(T::zero(), |distance| T::constant(FOLDS_AT_DISTANCE) / distance);
         let of_centre = folds_at_centre(profile) / top;

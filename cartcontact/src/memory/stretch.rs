@@ -29,23 +29,22 @@ pub(super) struct Stretch<'a, T, P, L> {
 
 /// How the hereditary load Y = F + χ ∫F rose during a stretch.
 pub(super) enum Course<'a, T> {
-    /// All at once, `age` before the end, chosen so that the right share is left at the end; `folds` pass in all.
+    /// All at once, `age` e-foldings before the end, chosen so that the right share is left there; `folds` pass in all.
     Step { age: T, folds: T },
     /// Along a straight load.
-    Linear { line: Line<T>, duration: T },
+    Linear(Line<T>),
     /// Along any other load.
     Smooth(&'a ForceSeries<T>),
 }
 
 impl<'a, T: Scalar> Course<'a, T> {
-    /// A straight load between two forces; a rise during which nothing drains is a step, whose rate need not be in
-    /// range. What drains may have a derivative, unless the rate is out of range.
-    pub(super) fn straight(chi: T, duration: T, (first, last): (T, T)) -> Self {
-        let (folds, rate) = (chi * duration, (last - first) / duration);
-        if last > first && is_instant(folds) && (has_no_derivatives::<T>() || !rate.is_finite()) {
+    /// A straight load between two forces. A rise during which nothing drains is a step, unless what drains may have a
+    /// derivative.
+    pub(super) fn straight(folds: T, (first, last): (T, T)) -> Self {
+        if last > first && is_instant(folds) && has_no_derivatives::<T>() {
             return Self::at_once(folds);
         }
-        Self::Linear { line: Line::to(last, rate, chi), duration }
+        Self::Linear(Line::to(last, last - first, folds))
     }
 
     /// A load of any other kind.
@@ -65,10 +64,9 @@ impl<'a, T: Scalar> Course<'a, T> {
     }
 
     /// χ times the duration.
-    pub(super) fn folds(&self, chi: T) -> T {
+    pub(super) fn folds(&self) -> T {
         match self {
-            Self::Step { folds, .. } => *folds,
-            Self::Linear { duration, .. } => chi * *duration,
+            Self::Step { folds, .. } | Self::Linear(Line { folds, .. }) => *folds,
             Self::Smooth(force) => force.folds(),
         }
     }
@@ -80,7 +78,7 @@ impl<'a, T: Scalar> Course<'a, T> {
     pub(super) fn fading(&self, chi: T) -> Fading<T> {
         match self {
             Self::Smooth(force) => Fading::over_duration(chi, force.duration()),
-            Self::Step { .. } | Self::Linear { .. } => Fading::over(self.folds(chi)),
+            Self::Step { .. } | Self::Linear(_) => Fading::over(self.folds()),
         }
     }
 
@@ -88,7 +86,7 @@ impl<'a, T: Scalar> Course<'a, T> {
     pub(super) fn is_held(&self) -> bool {
         match self {
             Self::Step { .. } => true,
-            Self::Linear { line, .. } => line.is_held(),
+            Self::Linear(line) => line.is_held(),
             Self::Smooth(_) => false,
         }
     }
@@ -118,8 +116,8 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
             return (Increment::zero(), false);
         }
         let over_time = match *self.course {
-            Course::Linear { line, .. } if line.force_rate < T::zero() => {
-                let (rate, rise) = (line.hereditary_rate / line.chi, -line.force_rate / line.chi);
+            Course::Linear(line) if line.force_rate < T::zero() => {
+                let (rate, rise) = (line.hereditary_rate / line.folds, -line.force_rate / line.folds);
                 let half = T::constant(0.5);
                 time_form::increment(
                     self,
@@ -148,12 +146,12 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
         !self.contact.load().is_linear_between_knots()
     }
 
-    /// How long before the end Y was smaller than at the end by `deficit`.
+    /// How many e-foldings before the end Y was smaller than at the end by `deficit`.
     #[inline(always)]
     pub(super) fn age(&self, deficit: T) -> T {
         match *self.course {
             Course::Step { age, .. } => age,
-            Course::Linear { line, .. } => line.age(deficit),
+            Course::Linear(line) => line.folds * line.age(deficit),
             Course::Smooth(force) if self.may_be_smooth() => force.age(deficit),
             Course::Smooth(_) => T::zero(),
         }
@@ -166,7 +164,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
         profile.quick_load_integral(self.low) >= profile.quick_load_integral(self.high) * sixteenth
     }
 
-    /// How long before the end the edge passed the radius `high` − `depth`.
+    /// How many e-foldings before the end the edge passed the radius `high` − `depth`.
     #[inline]
     pub(super) fn age_at(&self, depth: T) -> T {
         let drop = self.contact.profile().load_integral_drop(self.high, depth);
@@ -179,34 +177,33 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
         self.contact.load_per_integral() * drop + self.surplus
     }
 
-    /// Multiplies each weight, laid at a radius whose J is smaller by a drop, by e^(−χ age), the share left at the end.
+    /// Multiplies each weight, laid at a radius whose J is smaller by a drop, by e^(−age), the share left at the end.
     #[inline(always)]
     pub(super) fn fade(&self, weights: &mut [T], drops: &[T]) {
-        let chi = self.contact.medium().chi();
         // Ages that one formula gives are computed in vectors.
         match *self.course {
-            Course::Linear { line, .. } if line.is_held() => {
-                let folds_per_deficit = chi / line.hereditary_rate;
+            Course::Linear(line) if line.is_held() => {
+                let folds_per_deficit = line.folds / line.hereditary_rate;
                 self.fade_by(
                     #[inline(always)]
                     |deficit| deficit * folds_per_deficit,
                     (weights, drops),
                 );
             }
-            Course::Linear { line, .. } if self.have_roots(line, drops) => self.fade_by(
+            Course::Linear(line) if self.have_roots(line, drops) => self.fade_by(
                 #[inline(always)]
-                |deficit| chi * line.root(deficit),
+                |deficit| line.folds * line.root(deficit),
                 (weights, drops),
             ),
-            _ => self.fade_by(|deficit| chi * self.age(deficit), (weights, drops)),
+            _ => self.fade_by(|deficit| self.age(deficit), (weights, drops)),
         }
     }
 
-    /// [`fade`](Self::fade) with the e-foldings since a deficit by a function.
+    /// [`fade`](Self::fade) with the ages of deficits by a function.
     #[inline(always)]
-    fn fade_by(&self, folds: impl Fn(T) -> T, (weights, drops): (&mut [T], &[T])) {
+    fn fade_by(&self, age: impl Fn(T) -> T, (weights, drops): (&mut [T], &[T])) {
         for (weight, &drop) in weights.iter_mut().zip(drops) {
-            *weight *= decay(folds(self.deficit(drop)));
+            *weight *= decay(age(self.deficit(drop)));
         }
     }
 
@@ -230,12 +227,10 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
         let half = T::constant(0.5);
         let off_axis = |radius: T, degree: T| radius * T::constant(2.8) / degree;
         match *self.course {
-            Course::Linear { line: Line { chi, force_rate, hereditary_rate }, .. }
-                if force_rate > T::zero() =>
-            {
+            Course::Linear(Line { folds, force_rate, hereditary_rate }) if force_rate > T::zero() => {
                 let profile = self.contact.profile();
                 let load_integral = profile.quick_load_integral(top);
-                let deficit = (hereditary_rate / force_rate) * (hereditary_rate / chi) * half;
+                let deficit = (hereditary_rate / force_rate) * (hereditary_rate / folds) * half;
                 // As shares of J at `top`: the deficit is a force, and divided by π m/4 it may be out of range.
                 let share_of_deficit = deficit / (self.contact.load_per_integral() * load_integral);
                 let singular = profile.quick_load_integral(self.high) / load_integral - share_of_deficit;
@@ -250,7 +245,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
                 let degree = degree_of_load_integral(profile, top, profile.quick_load_integral(top));
                 Some(off_axis(top, degree) * half)
             }
-            Course::Linear { .. } | Course::Step { .. } => None,
+            Course::Linear(_) | Course::Step { .. } => None,
         }
     }
 }

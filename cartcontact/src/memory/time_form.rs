@@ -64,13 +64,12 @@ where
     P: GapProfile<T>,
     L: Load<T>,
 {
-    let (contact, chi, low) = (stretch.contact, stretch.contact.medium().chi(), stretch.low);
+    let (contact, low) = (stretch.contact, stretch.low);
     let final_integral =
         contact.profile().quick_load_integral(stretch.high) + stretch.surplus * contact.integral_per_load();
     let condition = condition_of_radius(contact.profile(), stretch.high);
     let history = History { contact, final_integral, low, condition, shortfall };
-    let longest =
-        if stretch.is_whole { stretch.course.folds(chi) } else { chi * stretch.age_at(stretch.high - low) };
+    let longest = if stretch.is_whole { stretch.course.folds() } else { stretch.age_at(stretch.high - low) };
     let singular = history.age_of_nothing((rate + rise * longest, rise), longest);
     let is_straight = stretch.course.is_straight();
     let at_distance = T::constant(if is_straight { FOLDS_AT_DISTANCE } else { FOLDS_AT_ANY_DISTANCE });

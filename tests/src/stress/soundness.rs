@@ -117,7 +117,8 @@ mod tests {
     }
 
     /// Found by fuzzing: slopes that lose digits once a load has drained, C aⁿ⁺² and a² P beyond the largest number,
-    /// a force and an impulse that round to zero beside their sum, which does not, and K below the smallest number.
+    /// a force and an impulse that round to zero beside their sum, which does not, K below the smallest number, and χ F
+    /// below it while F is not.
     #[test]
     fn scenes_at_the_ends_of_the_formats_are_sound() {
         let drained = (32_350_100_463.522_52, 0.237);
@@ -141,5 +142,7 @@ mod tests {
         assert_sound::<f64>((1.2e163, 12.75), (1.12e8, 2.06e283), &stepped, (5e-7, 0.405));
         let held = [(0.0, 2.223_081_2e-3)];
         assert_sound::<f32>((7.741_458e31, 8.217_346e-34), (2.207_738_6e-18, 1.36e-5), &held, (0.0, 0.09));
+        let risen = [(0.0, 0.0), (3.235_01e10, 2.52e-43), (3.235_01e10, 3.365_909_2e-7)];
+        assert_sound::<f32>((3.9e-7, 13.25), (31.0, 4.656_613e-10), &risen, (3.235_01e10, 0.54));
     }
 }

@@ -13,16 +13,13 @@ impl<T: Scalar> ForceSeries<T> {
         (before_end * here.mean_growth, here.growth * per_fold)
     }
 
-    /// How long before the end the hereditary load was smaller by `deficit`.
-    pub(crate) fn age(&self, deficit: T) -> T {
-        self.folds_since(deficit) / self.folds * self.duration
-    }
-
+    /// How many e-foldings before the end the hereditary load was smaller by `deficit`.
+    ///
     /// Newton's method in a bracket, which is halved where a step would leave it. It ends with the step after which
     /// only rounding is left, so that derivatives are those of the root, and after 60 steps at the latest.
     ///
     /// A rounded radius may belong to a time just outside the step.
-    fn folds_since(&self, deficit: T) -> T {
+    pub(crate) fn age(&self, deficit: T) -> T {
         let margin = self.folds * T::constant(1.0 / 64.0);
         let (mut low, mut high) = (-margin, self.folds + margin);
         let gain = self.gain();
@@ -78,7 +75,7 @@ mod tests {
                 assert!((found - deficit).abs() < 8.0 * scale, "{chi}, {age}: {found:e}, {deficit:e}");
                 let exact_rate = Fall.force(end - age) * (chi - 1.0) / chi;
                 assert!((rate / exact_rate - 1.0).abs() < 1e-12, "{chi}, {age}: {rate:e}, {exact_rate:e}");
-                let error = chi * (series.age(deficit) - age) * rate;
+                let error = (series.age(deficit) - chi * age) * rate;
                 assert!(error.abs() < 8.0 * scale, "{chi}, {age}: {error:e}");
             }
             let (impulse, uncertainty) = series.impulse();
@@ -96,7 +93,7 @@ mod tests {
         let series = ForceSeries::between(&load, (1e6, 1.5e6), 0.02);
         for age in [1e-9, 0.3, 1e3, 4e5] {
             let found: f64 = series.age(0.02 * age * 70.0);
-            assert!((found / age - 1.0).abs() < 4.0 * f64::EPSILON, "{age}: {found}");
+            assert!((found / (0.02 * age) - 1.0).abs() < 4.0 * f64::EPSILON, "{age}: {found}");
         }
     }
 }

@@ -1,8 +1,8 @@
 //! Which quadrature rule is long enough for a piece of a batch.
 //!
-//! e^(−χ age) changes by the piece's e-foldings. w(Y) = a⁻⁴ is nearly a power of Y; its singularity is where Y,
+//! e^(−age) changes by the piece's e-foldings. w(Y) = a⁻⁴ is nearly a power of Y; its singularity is where Y,
 //! continued, is zero, further away than the root of |R| v + |B| v²/2 = Y. For every rule, [`RULES`] holds the most
-//! e-foldings and the least distance that alone cause an error of ε/4 in Y′ w e^(−χ age), with any w between
+//! e-foldings and the least distance that alone cause an error of ε/4 in Y′ w e^(−age), with any w between
 //! Y^(−4/4.25) and Y^(−4/68) and any straight Y′, also one that vanishes at an end. What has since faded by e^(−x) may
 //! have e^x times that error, which a rule of n nodes makes with e^(x/(2n+1)) times as many e-foldings.
 

@@ -205,7 +205,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
 
     /// The least number of e-foldings by which a piece's share in the pressures at the end has faded.
     ///
-    /// The pressures when the piece ended carry F e^(−χ age) of the force at the end, on a smaller disc; a margin of 3
+    /// The pressures when the piece ended carry F e^(−age) of the force at the end, on a smaller disc; a margin of 3
     /// makes up for the sizes of the discs.
     fn faded_since(&self, piece: &Piece<T>) -> T {
         if piece.end.1 > self.force {
@@ -249,7 +249,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         self.now.impulse.add(impulse);
         let radius = self.radius_under(piece.end.0, piece.end.1);
         let gain = piece.rise() + chi * impulse;
-        self.cover(radius, &Course::straight(chi, piece.duration(), forces), forces, gain);
+        self.cover(radius, &Course::straight(chi * piece.duration(), forces), forces, gain);
         self.now.time = piece.end.0;
     }
 

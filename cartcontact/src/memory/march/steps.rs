@@ -216,8 +216,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         let (gain, (kept, _)) = ((last - first) + chi * gained, fading.kept_of((first, last)));
         // An impulse larger than such a force can make is rounding, and says nothing about what has drained.
         let is_of_force = chi * gained <= folds * (force.largest() + force.largest());
-        let age =
-            if is_of_force && T::zero() < kept && kept < gain { (gain / kept).ln() / chi } else { T::zero() };
+        let age = if is_of_force && T::zero() < kept && kept < gain { (gain / kept).ln() } else { T::zero() };
         self.fade(fading);
         // Time has passed already.
         let course = Course::Step { age, folds: T::zero() };
