@@ -94,7 +94,7 @@ fn derivatives_under_records_are_those_of_one_piece_after_the_other() -> Result<
 }
 
 /// In ε of the peak pressure: a value, and first and second derivatives times powers of the parameter; the worst here are
-/// 0.7, 2 and 721.
+/// 0.7, 2 and 721, the last with respect to steps of no height, 172 with respect to the time and 5 to others.
 const ALLOWED: [f64; 3] = [4.0, 8.0, 2000.0];
 
 /// Single precision has its own rules.
@@ -115,5 +115,6 @@ fn derivatives_in_single_precision_are_those_in_double() -> Result<(), ContactEr
     Ok(())
 }
 
-/// In ε of single precision; the worst is 27.
+/// In ε of single precision; the worst is 27, with respect to the time: the slopes of pieces of 2 s multiply the rounding
+/// of their forces by 163/2. With respect to others it is 0.4.
 const SINGLE: f64 = 60.0;
