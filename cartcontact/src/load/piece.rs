@@ -61,7 +61,11 @@ impl<T: Scalar> Piece<T> {
             return to.1;
         }
         // So small a share has lost digits, but the slope has not.
-        from.1 + if share < smallest_normal() { rise / self.duration() * elapsed } else { rise * share }
+        let gained = if share < smallest_normal() { rise / self.duration() * elapsed } else { rise * share };
+        let force = from.1 + gained;
+        // Rounded to zero it would be no load, although χ ∫F may be one.
+        let is_lost = force <= T::zero() && rise > T::zero() && elapsed > T::zero();
+        if is_lost { force + smallest_normal::<T>() * T::default_epsilon() } else { force }
     }
 
     /// Half-way between the forces at its ends.

@@ -117,8 +117,8 @@ mod tests {
     }
 
     /// Found by fuzzing: slopes that lose digits once a load has drained, C aⁿ⁺² and a² P beyond the largest number,
-    /// a force and an impulse that round to zero beside their sum, which does not, K below the smallest number, and χ F
-    /// below it while F is not.
+    /// a force and an impulse that round to zero beside their sum, which does not, K below the smallest number, χ F below
+    /// it while F is not, and a load that would round to none.
     #[test]
     fn scenes_at_the_ends_of_the_formats_are_sound() {
         let drained = (32_350_100_463.522_52, 0.237);
@@ -144,5 +144,7 @@ mod tests {
         assert_sound::<f32>((7.741_458e31, 8.217_346e-34), (2.207_738_6e-18, 1.36e-5), &held, (0.0, 0.09));
         let risen = [(0.0, 0.0), (3.235_01e10, 2.52e-43), (3.235_01e10, 3.365_909_2e-7)];
         assert_sound::<f32>((3.9e-7, 13.25), (31.0, 4.656_613e-10), &risen, (3.235_01e10, 0.54));
+        let rising = [(0.0, 0.0), (3.235_01e10, 2.231_458e-38)];
+        assert_sound::<f32>((1.510_000_6e-10, 25.0), (0.115_734_1, 3850.0), &rising, (578.0, 0.65));
     }
 }
