@@ -91,3 +91,35 @@ impl<T: Scalar> Line<T> {
         Self { folds, force_rate, hereditary_rate: rate }.root(deficit)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_bit_of_an_age_depends_on_the_units_of_the_load() {
+        for (force_rate, hereditary_rate) in [(0.7, 1.3), (-0.7, 1.3), (-0.7, 0.0)] {
+            let age = |unit: f64| {
+                let line = Line {
+                    folds: 0.3,
+                    force_rate: force_rate * unit,
+                    hereditary_rate: hereditary_rate * unit,
+                };
+                line.age(0.1 * unit)
+            };
+            for exponent in -1000..=1000 {
+                assert_eq!(age(2f64.powi(exponent)), age(1.0), "{force_rate}, {hereditary_rate}, {exponent}");
+            }
+        }
+    }
+
+    /// Y′ at the end is rounding of either sign, and so may be a deficit.
+    #[test]
+    fn ages_are_finite_where_a_load_falls_as_fast_as_it_may() {
+        for hereditary_rate in [0.0, 1e-17, -1e-17] {
+            let line = Line { folds: 2.0, force_rate: -1.0, hereditary_rate };
+            let ages = [0.0, 0.25, -0.25].map(|deficit| line.age(deficit));
+            assert_eq!(ages, [0.0, 0.5, -0.5], "{hereditary_rate:e}");
+        }
+    }
+}
