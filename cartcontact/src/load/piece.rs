@@ -200,4 +200,13 @@ mod tests {
             assert_eq!((piece.force(0.5), piece.force(1.25)), forces);
         }
     }
+
+    /// The sum of two forces may be above the range, and the rate of a slow fall below it.
+    #[test]
+    fn impulses_and_falls_stay_in_range() {
+        let held = Piece { start: (0.0, f64::MAX), end: (1.0, f64::MAX) };
+        assert_eq!(held.impulse(), f64::MAX);
+        let falling = Piece { start: (0.0, 1.0), end: (f64::MAX, 1.0 - 9.0 * f64::EPSILON) };
+        assert!(falling.fall_beyond_rounding() > 0.0);
+    }
 }
