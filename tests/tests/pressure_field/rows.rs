@@ -64,11 +64,14 @@ fn the_edge_carries_nothing() -> Result<(), ContactError> {
         let contact = joint(Patellofemoral, 0.0015, Constant(force));
         let radius = contact.at(0.0)?.radius();
         let times = [0.0, 1e-14, 1e-13, 1e-12, 1e-9, 1.0];
-        let mut values = [f64::NAN; 6];
-        contact.pressure_field(&times, &[radius], &mut values)?;
-        for (t, value) in times.into_iter().zip(values) {
-            let now = contact.at(t)?;
-            assert_eq!(value == 0.0, now.radius() <= radius, "{force} N, {t} s: {value:e}");
+        // Also between radii that are in no order.
+        for radii in [&[radius] as &[f64], &[0.0, radius, 0.1]] {
+            let mut values = vec![f64::NAN; times.len() * radii.len()];
+            contact.pressure_field(&times, radii, &mut values)?;
+            for (t, row) in times.into_iter().zip(values.chunks(radii.len())) {
+                let (now, value) = (contact.at(t)?, row[radii.len() / 2]);
+                assert_eq!(value == 0.0, now.radius() <= radius, "{force} N, {t} s: {value:e}");
+            }
         }
     }
     Ok(())
