@@ -18,7 +18,9 @@
 //! that its values at the nodes show it; then the finest rule and shorter panels are used. Next to a singularity,
 //! panels of √ε/16 of the stretch are short enough: over one of them s changes like a cube root at worst, by 1e-3 in
 //! f64; 24 nodes miss up to 8e-3 of that, and the product with the length is 32 ε, while a J′ is 1e-6 times what it is
-//! elsewhere and the condition number as much larger. Nothing shorter can be told from the rounding of s.
+//! elsewhere and the condition number as much larger. Nothing shorter can be told from the rounding of s. A singularity
+//! has one such panel or two, a geometry few singularities. But where terms cancel to all but a few digits, no panel is
+//! resolved: the shortest one is therefore doubled whenever a panel of its length is not.
 
 use super::Increment;
 use super::degree::condition_of_radius;
@@ -114,7 +116,7 @@ where
         let mut sum = Increment::zero();
         let mut start = T::zero();
         let mut length = longest;
-        let shortest = length * T::default_epsilon().sqrt() * T::constant(1.0 / 16.0);
+        let mut shortest = length * T::default_epsilon().sqrt() * T::constant(1.0 / 16.0);
         let (mut is_simple, mut halvings) = (true, 0);
         // Beyond two panels' worth of e-foldings nothing counts any more.
         while start < longest && start < most + most {
@@ -133,6 +135,9 @@ where
                 sum = sum.plus(increment);
                 start = end;
                 length += length;
+                if !is_resolved {
+                    shortest += shortest;
+                }
             } else if is_simple {
                 is_simple = false;
             } else {
