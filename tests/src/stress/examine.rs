@@ -152,8 +152,10 @@ impl<T: Precision> Examination<'_, T> {
         let curvature = if fourth > 0.0 { force / fourth } else { 0.0 };
         // Terms of both signs may be far larger than their sum.
         let growth = radius.map_or(0.0, |a| self.exact.profile.kernels(a).log_slope.size.value());
+        let of_force = force / self.exact.stiffness().value();
         let drained_slope = curvature / self.exact.stiffness().value();
-        let numbers = [y.value(), force, force * chi, impulse, fourth, slope, curvature, drained_slope];
+        let numbers =
+            [y.value(), force, force * chi, of_force, impulse, fourth, slope, curvature, drained_slope];
         numbers.into_iter().any(|x| x < T::LEAST * (1.0 + 4.0 * T::EPSILON))
             || fourth > T::MOST * (1.0 - 8.0 * T::EPSILON)
             || (y * self.exact.stiffness()).value() > T::MOST * (0.5 - 8.0 * T::EPSILON)
