@@ -113,6 +113,16 @@ mod tests {
         }
     }
 
+    /// A force that falls like e^(−χ t) gains nothing: the sizes must tell that what is kept is rounding.
+    #[test]
+    fn what_is_kept_of_the_fastest_fall_is_rounding() {
+        for x in [1e-3_f64, 0.1, 0.5, 3.0] {
+            let left = (-x).exp();
+            let (kept, sizes) = Fading::over(x).kept_of((1.0, left));
+            assert!(kept.abs() <= f64::EPSILON && sizes > left.min(1.0 - left), "{x}: {kept:e}, {sizes}");
+        }
+    }
+
     #[test]
     fn many_e_foldings_are_not_rounded() {
         for k in 1..=1000_u16 {
