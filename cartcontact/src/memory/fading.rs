@@ -133,6 +133,15 @@ mod tests {
         }
     }
 
+    /// The halves of a huge rate are out of range, but not its product with a short duration.
+    #[test]
+    fn rates_and_durations_may_be_of_any_size() {
+        for (chi, duration) in [(1e306, 2e-306), (2e-306, 1e306)] {
+            let left = Fading::over_duration(chi, duration).after(1.0, 0.0);
+            assert!((left * 2_f64.exp() - 1.0).abs() <= 4.0 * f64::EPSILON, "{chi:e}: {left}");
+        }
+    }
+
     #[test]
     fn short_steps_fade_as_one_long_one() {
         let mut value = CompensatedSum::from(1.0);
