@@ -73,3 +73,16 @@ impl<T: Scalar> Transition<T> {
 pub(crate) fn not_negative<T: Scalar>(pressure: T) -> T {
     if pressure < T::zero() { T::zero() } else { pressure }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// As under δ₀′ that nearly vanishes, where the strip between the rounded edge and the exact one is wide.
+    #[test]
+    fn what_rounding_takes_beyond_the_edge_is_no_negative_pressure() {
+        let none = Transition::none(1.0);
+        let transition = Transition { offset: (-1e-11).into(), slope: 1e-5.into(), ..none };
+        assert_eq!(transition.apply(0.0, 1.0 - 1e-7), 0.0);
+    }
+}
