@@ -209,4 +209,11 @@ mod tests {
         let falling = Piece { start: (0.0, 1.0), end: (f64::MAX, 1.0 - 9.0 * f64::EPSILON) };
         assert!(falling.fall_beyond_rounding() > 0.0);
     }
+
+    #[test]
+    fn eight_roundings_are_no_fall() {
+        let to = |roundings: f64| Piece { start: (0.0, 1.0), end: (1.0, 1.0 - roundings * f64::EPSILON) };
+        assert_eq!(to(8.0).recession(0.0), None);
+        assert_eq!(to(9.0).recession(0.0), Some(0.0));
+    }
 }
