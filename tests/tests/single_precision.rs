@@ -6,10 +6,12 @@ use cartcontact::load::Constant;
 use cartcontact::{Contact, GapProfile, Medium, Scalar, gap_profile};
 use tests::budget;
 use tests::condition;
+use tests::joint::joint;
 use tests::kernel::{self, Kernel};
+use tests::loads::{Announced, through};
 use tests::measure::Errors;
 use tests::oracle::{Profile, double};
-use tests::profiles::{Case, DECIMALS, Decimals};
+use tests::profiles::{Case, DECIMALS, Decimals, Paraboloid};
 use tests::random::Stream;
 use tests::reference::{self, ContactRow};
 
@@ -120,6 +122,23 @@ fn add_peaks<P: GapProfile<f32> + GapProfile<f64>>(errors: &mut Errors, profile:
             errors.add(peak::<f32>(profile, m, force, chi), expected, 1.0, &(m, force, chi));
         }
     }
+}
+
+/// The time since the last knot is rounded: what is left of a later time without it may lie a rounding before that
+/// knot, where the force is another.
+#[test]
+fn jumps_soon_after_the_start_are_where_their_knots_are() -> Result<(), Box<dyn core::error::Error>> {
+    let mut errors = Errors::of_single(budget::PEAK_PRESSURE);
+    for start in [0.1_f32, 1e-3, 1.063_326_5e-9] {
+        let knots = [(0.0, 50.0), (start, 50.0), (start, 80.0), (1.0, 90.0)];
+        let curved = joint(Paraboloid, 0.5, Announced::curved(through(&knots)));
+        let exact = knots.map(|(t, force)| (f64::from(t), f64::from(force)));
+        let straight = joint(Paraboloid, 0.5, through(&exact));
+        let (found, expected) = (curved.at(1.0)?.peak_pressure(), straight.at(1.0)?.peak_pressure());
+        errors.add(found.into(), expected, 1.0, &start);
+    }
+    errors.check();
+    Ok(())
 }
 
 #[test]
