@@ -96,7 +96,7 @@ impl<const N: usize, const BYTES: usize> Table<N, BYTES> {
     #[inline(always)]
     pub(super) fn find<T: Scalar, S: Step<T, N>>(&self, load_integral: T, limit: T, step: S) -> Option<T> {
         let (y, periods) = step.in_table(load_integral);
-        if !(self.holds::<T>() && (S::HAS_DERIVATIVES || has_no_derivatives::<T>()) && self.contains(y)) {
+        if !((S::HAS_DERIVATIVES || has_no_derivatives::<T>()) && self.contains(y)) {
             return None;
         }
         let digits = digits(y);
@@ -108,14 +108,9 @@ impl<const N: usize, const BYTES: usize> Table<N, BYTES> {
         is_within.then_some(radius)
     }
 
-    /// Whether there are rows for the precision of a scalar type.
-    fn holds<T: Scalar>(&self) -> bool {
-        !is_single::<T>() || self.single.count > 0
-    }
-
-    /// Whether there is vector code for a scalar type.
+    /// Whether there is vector code for a scalar type, and rows for its precision.
     pub(super) fn has_blocks<T: Scalar>(&self) -> bool {
-        has_no_derivatives::<T>() && self.holds::<T>()
+        has_no_derivatives::<T>() && self.quarters::<T>().count > 0
     }
 
     #[inline(always)]
