@@ -55,8 +55,10 @@ fn searched_range<T: Scalar>(terms: &[(T, T)], requested: Option<T>) -> Result<T
         if !is_exponent(n) {
             return Err(ProfileError::InvalidExponent { exponent: n.value() });
         }
-        check_coefficient(c, n)?;
         if !c.is_zero() {
+            if !fits(c, n) {
+                return Err(invalid(c, n));
+            }
             smallest = smallest.min(n);
         }
     }
@@ -107,10 +109,6 @@ pub fn check_coefficients<T: Scalar>(terms: impl IntoIterator<Item = (T, T)>) ->
 /// As [`check_coefficients`].
 pub fn check_constants<T: Scalar>(terms: &[(f64, f64)]) -> Result<(), ProfileError> {
     check_coefficients(terms.iter().map(|&(c, n)| (T::constant(c), T::constant(n))))
-}
-
-fn check_coefficient<T: Scalar>(c: T, n: T) -> Result<(), ProfileError> {
-    if c.is_zero() || fits(c, n) { Ok(()) } else { Err(invalid(c, n)) }
 }
 
 /// What is wrong with a term that does not fit: its exponent, if no coefficient of usual size would fit.
