@@ -1,10 +1,8 @@
 //! Powers of two, taken out of a number and put back, so that roots and quotients neither overflow nor lose accuracy.
 
-use super::bits::{exponent, fraction, power_of_two};
+use super::bits::{bias, exponent, fraction, is_normal, power_of_two};
 use crate::Scalar;
-use crate::scalar::{
-    floor, from_single, has_no_derivatives, is_finite_and_positive, is_same, is_single, smallest_normal,
-};
+use crate::scalar::{floor, has_no_derivatives, is_finite_and_positive, is_same, is_single, smallest_normal};
 
 /// The fraction f and the exponent e of a positive finite number x = f · 2^e with 1 ≤ f < 2.
 #[inline]
@@ -24,23 +22,13 @@ pub(crate) fn split<T: Scalar>(x: T) -> (T, i32) {
 /// x · 2^e; exact unless the result over- or underflows.
 #[inline]
 pub(crate) fn scale<T: Scalar>(x: T, e: i32) -> T {
-    if (-126..=127).contains(&e) {
-        return x * clamped_power_of_two(e);
+    if is_normal::<T>(e) {
+        return x * power_of_two(e);
     }
     // In three factors: 2^e, and even its root, may lie outside the format although x · 2^e does not.
-    let third = e / 3;
-    x * clamped_power_of_two::<T>(third)
-        * clamped_power_of_two::<T>(third)
-        * clamped_power_of_two::<T>(e - 2 * third)
-}
-
-/// 2^e, or the nearest normal power of two; for any scalar.
-fn clamped_power_of_two<T: Scalar>(e: i32) -> T {
-    if is_single::<T>() | (-126..=127).contains(&e) {
-        from_single(power_of_two(e.clamp(-126, 127)))
-    } else {
-        T::constant(power_of_two(e.clamp(-1022, 1023)))
-    }
+    let (third, most) = (e / 3, bias::<T>());
+    let clamped = |e: i32| power_of_two::<T>(e.clamp(1 - most, most));
+    x * clamped(third) * clamped(third) * clamped(e - 2 * third)
 }
 
 /// A quotient, such as that of numbers of similar size, or by a power of a radius. The derivative of one is a difference
@@ -116,11 +104,11 @@ mod tests {
     #[test]
     fn fraction_and_exponent_are_those_of_the_format() {
         for e in -1074..1024 {
-            let x = if e < -1022 { f64::from_bits(1 << (e + 1074)) } else { clamped_power_of_two(e) };
+            let x = if e < -1022 { f64::from_bits(1 << (e + 1074)) } else { power_of_two(e) };
             assert_eq!(split(x), (1.0, e));
         }
         for e in -149..128 {
-            let x = if e < -126 { f32::from_bits(1 << (e + 149)) } else { clamped_power_of_two(e) };
+            let x = if e < -126 { f32::from_bits(1 << (e + 149)) } else { power_of_two(e) };
             assert_eq!(split(x), (1.0, e));
         }
     }
