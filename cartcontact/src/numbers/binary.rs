@@ -2,20 +2,14 @@
 
 use super::bits::{bias, exponent, fraction, is_normal, power_of_two};
 use crate::Scalar;
-use crate::scalar::{floor, has_no_derivatives, is_finite_and_positive, is_same, is_single, smallest_normal};
+use crate::scalar::{floor, has_no_derivatives, is_finite_and_positive, is_single, smallest_normal};
 
-/// The fraction f and the exponent e of a positive finite number x = f · 2^e with 1 ≤ f < 2.
+/// The fraction f, with its derivatives, and the exponent e of a positive finite number x = f · 2^e with 1 ≤ f < 2.
 #[inline]
 pub(crate) fn split<T: Scalar>(x: T) -> (T, i32) {
-    if !has_no_derivatives::<T>() {
-        // Whatever else the number carries, such as derivatives, scales with it.
-        let (_, exponent) = split(x.value());
-        return (scale(x, -exponent), exponent);
-    }
-    // 2²⁴ and 2⁵⁴.
-    let (units, shift) =
-        if is_same::<T, f32>() { (16_777_216.0, 24) } else { (18_014_398_509_481_984.0, 54) };
-    let (x, shift) = if x < smallest_normal() { (x * T::constant(units), shift) } else { (x, 0) };
+    // 2⁵⁴ times a subnormal number is a normal one in either format.
+    let (x, shift) =
+        if x < smallest_normal() { (x * T::constant(18_014_398_509_481_984.0), 54) } else { (x, 0) };
     (fraction(x), exponent(x) - shift)
 }
 
