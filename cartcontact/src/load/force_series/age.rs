@@ -9,8 +9,8 @@ impl<T: Scalar> ForceSeries<T> {
     pub(crate) fn shortfall(&self, folds: T) -> (T, T) {
         let per_fold = T::constant(2.0) / self.folds;
         let before_end = folds * per_fold;
-        let here = self.at(T::one() - before_end);
-        (before_end * here.mean_growth, here.growth * per_fold)
+        let [growth, mean_growth] = self.growth_at(T::one() - before_end);
+        (before_end * mean_growth, growth * per_fold)
     }
 
     /// How many e-foldings before the end the hereditary load was smaller by `deficit`.

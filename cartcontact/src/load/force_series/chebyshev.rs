@@ -75,15 +75,17 @@ pub(super) fn leave_out<T: Scalar>(coefficients: &mut [T], length: usize) -> usi
     if has_no_derivatives::<T>() { length } else { coefficients.len() }
 }
 
-/// The sum at ξ.
-pub(super) fn sum_at<T: Scalar>(sum: &[T], x: T) -> T {
+/// Sums of one length at ξ, in one loop.
+pub(super) fn sums_at<T: Scalar, const N: usize>(sums: [&[T]; N], x: T) -> [T; N] {
     let (mut before, mut value) = (T::one(), x);
-    let mut total = T::zero();
-    for &c in sum {
-        total += c * before;
+    let mut totals = sums.map(|sum| sum[0]);
+    for degree in 1..sums[0].len() {
+        for (total, sum) in totals.iter_mut().zip(sums) {
+            *total += sum[degree] * value;
+        }
         (before, value) = (value, (x + x) * value - before);
     }
-    total
+    totals
 }
 
 /// The derivative of a sum: d₍ₖ₋₁₎ = d₍ₖ₊₁₎ + 2 k cₖ, with the first one halved.

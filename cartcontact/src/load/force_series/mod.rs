@@ -26,7 +26,8 @@ use super::Load;
 use super::rounding::{is_force, rounding_within_load};
 use crate::Scalar;
 use chebyshev::{
-    Coefficients, DEGREE, abscissa, derivative, interpolate, leave_out, length_above, mean_to_the_end, sum_at,
+    Coefficients, DEGREE, abscissa, derivative, interpolate, leave_out, length_above, mean_to_the_end,
+    sums_at,
 };
 
 /// The force during a step, and what follows from it.
@@ -50,12 +51,6 @@ pub(crate) struct ForceSeries<T> {
     growth: Coefficients<T>,
     /// The mean of dY/dξ from ξ to the end.
     mean_growth: Coefficients<T>,
-}
-
-/// dY/dξ, and its mean from there to the end.
-struct Local<T> {
-    growth: T,
-    mean_growth: T,
 }
 
 impl<T: Scalar> ForceSeries<T> {
@@ -219,7 +214,8 @@ impl<T: Scalar> ForceSeries<T> {
 
     /// By how much the hereditary load grows in all.
     pub(crate) fn gain(&self) -> T {
-        T::constant(2.0) * self.at(-T::one()).mean_growth
+        let [_, mean_growth] = self.growth_at(-T::one());
+        T::constant(2.0) * mean_growth
     }
 
     /// By how much the hereditary load grows from each node to the end.
@@ -231,7 +227,8 @@ impl<T: Scalar> ForceSeries<T> {
         core::array::from_fn(|node| {
             let x = abscissa(node);
             let since = self.folds * (T::one() - x) * T::constant(0.5);
-            (self.last() - self.forces[node]) + since * (self.last() + sum_at(&mean[..self.length], x))
+            let [mean] = sums_at([&mean[..self.length]], x);
+            (self.last() - self.forces[node]) + since * (self.last() + mean)
         })
     }
 
@@ -274,7 +271,7 @@ impl<T: Scalar> ForceSeries<T> {
         // The nodes are less than 1/2 apart, so this goes down to the spacing of numbers.
         for _ in 0..60 {
             let middle = (rising + falling) * half;
-            if self.at(middle).growth > T::zero() {
+            if self.growth_at(middle)[0] > T::zero() {
                 rising = middle;
             } else {
                 falling = middle;
@@ -295,15 +292,9 @@ impl<T: Scalar> ForceSeries<T> {
         rounding_within_load(self.size) + change * (self.end / self.duration) * T::default_epsilon()
     }
 
-    fn at(&self, x: T) -> Local<T> {
-        let mut local = Local { growth: self.growth[0], mean_growth: self.mean_growth[0] };
-        let (mut before, mut value) = (T::one(), x);
-        for degree in 1..self.length {
-            local.growth += self.growth[degree] * value;
-            local.mean_growth += self.mean_growth[degree] * value;
-            (before, value) = (value, (x + x) * value - before);
-        }
-        local
+    /// dY/dξ, and its mean from there to the end.
+    fn growth_at(&self, x: T) -> [T; 2] {
+        sums_at([&self.growth[..self.length], &self.mean_growth[..self.length]], x)
     }
 }
 
