@@ -94,7 +94,7 @@ impl<T: Scalar> Pace<T> {
         if self.step >= self.shortest.length() {
             self.shortest.give_up();
         }
-        self.double();
+        self.step += self.step;
         self.follows_given_up = true;
     }
 }
