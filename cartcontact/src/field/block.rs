@@ -28,6 +28,7 @@ pub(super) struct Edge<T> {
 
 /// Consecutive rows, and how they follow from their base, the row before the first of them.
 pub(super) struct Block<'a, T, P, L> {
+    contact: &'a Contact<T, P, L>,
     base: Edge<T>,
     count: usize,
     /// How many rows the next panel may have.
@@ -42,8 +43,9 @@ pub(super) struct Block<'a, T, P, L> {
 
 impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Block<'a, T, P, L> {
     /// No rows after `base`.
-    pub(super) fn after(base: Edge<T>) -> Self {
+    pub(super) fn after(contact: &'a Contact<T, P, L>, base: Edge<T>) -> Self {
         Self {
+            contact,
             base,
             count: 0,
             most: BLOCK,
@@ -71,13 +73,13 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Block<'a, T, P, L> {
     }
 
     /// Goes on to the next rows, at the first of `times`.
-    pub(super) fn advance(&mut self, contact: &'a Contact<T, P, L>, times: &[T]) -> Result<(), ContactError> {
+    pub(super) fn advance(&mut self, times: &[T]) -> Result<(), ContactError> {
         self.base = self.last();
         self.count = 0;
         self.panel = None;
-        match Panel::over(contact, self.base, &times[..times.len().min(self.most)]) {
-            Some((panel, count)) => self.follow(contact, panel, &times[..count])?,
-            None => self.march(contact, &times[..times.len().min(BLOCK)])?,
+        match Panel::over(self.contact, self.base, &times[..times.len().min(self.most)]) {
+            Some((panel, count)) => self.follow(panel, &times[..count])?,
+            None => self.march(&times[..times.len().min(BLOCK)])?,
         }
         // A little longer than what was short enough, and seldom too long.
         self.most = BLOCK.min(self.count + self.count / 8 + 1);
@@ -85,15 +87,10 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Block<'a, T, P, L> {
     }
 
     /// Takes the rows at `times` from a panel.
-    fn follow(
-        &mut self,
-        contact: &Contact<T, P, L>,
-        panel: Panel<'a, T, P, L>,
-        times: &[T],
-    ) -> Result<(), ContactError> {
+    fn follow(&mut self, panel: Panel<'a, T, P, L>, times: &[T]) -> Result<(), ContactError> {
         self.count = times.len();
         self.times[..times.len()].copy_from_slice(times);
-        contact.advancing_radii(times, &mut self.radii[..times.len()])?;
+        self.contact.advancing_radii(times, &mut self.radii[..times.len()])?;
         panel.changes(times, &mut self.since_previous, &mut self.since_base);
         self.panel = Some(panel);
         Ok(())
@@ -101,8 +98,8 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Block<'a, T, P, L> {
 
     /// Takes rows by one march each: a single row if the load may allow a panel for the next, otherwise rows until half
     /// the memory has faded.
-    fn march(&mut self, contact: &Contact<T, P, L>, times: &[T]) -> Result<(), ContactError> {
-        let chi = contact.medium().chi();
+    fn march(&mut self, times: &[T]) -> Result<(), ContactError> {
+        let (contact, chi) = (self.contact, self.contact.medium().chi());
         let most = if contact.load().is_linear_between_knots() { 1 } else { times.len() };
         let mut since_base = LongChange::none();
         for &time in &times[..most] {
@@ -143,13 +140,7 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Block<'a, T, P, L> {
     }
 
     /// Fills the rows of `values`, whose first row is the base.
-    pub(super) fn fill(
-        &self,
-        contact: &Contact<T, P, L>,
-        runs: &Runs<'_, T>,
-        squares: &mut [T; TILE],
-        values: &mut [T],
-    ) {
+    pub(super) fn fill(&self, runs: &Runs<'_, T>, squares: &mut [T; TILE], values: &mut [T]) {
         let width = runs.radii.len();
         let (base, rows) = values.split_at_mut(width);
         // All columns at once, because short runs leave no room for vectors; values beyond the edge of the base mean
@@ -169,14 +160,14 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Block<'a, T, P, L> {
             return;
         }
         if self.count == 1 {
-            self.fill_beyond_in_only_row(contact, (&runs.radii[columns.clone()], count), &mut rows[columns]);
+            self.fill_beyond_in_only_row((&runs.radii[columns.clone()], count), &mut rows[columns]);
             return;
         }
         let changes_between_anchors = self.changes_between_anchors();
         for run in runs.iter() {
             let beyond = run.split(run.count_inside(runs.radii, self.base.radius)).1;
             if beyond.len() > 0 && runs.radii[beyond.column(0)] < widest {
-                self.fill_beyond(contact, (runs.radii, &beyond), changes_between_anchors.as_ref(), values);
+                self.fill_beyond((runs.radii, &beyond), changes_between_anchors.as_ref(), values);
             }
         }
     }
@@ -184,12 +175,7 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Block<'a, T, P, L> {
     /// Fills columns of the only row, of which so many lie beyond the base. None of these goes from row to row, so that
     /// no order is needed: runs of a few columns take longer to find than to fill. Where there is no panel, many knots
     /// may lie between the two rows.
-    fn fill_beyond_in_only_row(
-        &self,
-        contact: &Contact<T, P, L>,
-        (radii, count): (&[T], usize),
-        row: &mut [T],
-    ) {
+    fn fill_beyond_in_only_row(&self, (radii, count): (&[T], usize), row: &mut [T]) {
         let (base, now) = (self.base, self.last());
         let late = row.iter_mut().zip(radii).filter(|&(_, &r)| (base.radius <= r) & (r < now.radius));
         if let Some(panel) = &self.panel {
@@ -197,8 +183,8 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Block<'a, T, P, L> {
         } else {
             // Sections take several KiB of the stack.
             out_of_line(move || {
-                let start = contact.stage(base.time, base.radius);
-                let mut sections = Late::between(contact, start, (now.time, now.radius), count);
+                let start = self.contact.stage(base.time, base.radius);
+                let mut sections = Late::between(self.contact, start, (now.time, now.radius), count);
                 late.for_each(|(value, &r)| *value = sections.pressure(r));
             });
         }
@@ -224,7 +210,6 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Block<'a, T, P, L> {
     /// whose roundings have the same sign.
     fn fill_beyond(
         &self,
-        contact: &Contact<T, P, L>,
         (radii, run): (&[T], &Run),
         changes_between_anchors: Option<&BetweenAnchors<T>>,
         values: &mut [T],
@@ -248,20 +233,20 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Block<'a, T, P, L> {
             let radius = self.radii[index];
             while covered < run.len() && radii[run.column(covered)] < radius {
                 let column = run.column(covered);
-                row[column] = self.first_pressure(contact, index, radii[column]);
+                row[column] = self.first_pressure(index, radii[column]);
                 covered += 1;
             }
         }
     }
 
     /// The pressure at a radius that was not yet covered at the row before.
-    fn first_pressure(&self, contact: &Contact<T, P, L>, index: usize, r: T) -> T {
+    fn first_pressure(&self, index: usize, r: T) -> T {
         let (before, now) = (self.edge_before(index), self.edge_before(index + 1));
         match &self.panel {
             Some(panel) => panel.first_pressure(before, now, r),
             None => {
-                let start = contact.stage(before.time, before.radius);
-                march(contact, start, (now.time, now.radius), r).apply(T::zero(), r)
+                let start = self.contact.stage(before.time, before.radius);
+                march(self.contact, start, (now.time, now.radius), r).apply(T::zero(), r)
             }
         }
     }

@@ -83,19 +83,19 @@ where
     }
     first.pressures(radii, &mut values[..width]);
     let runs = Runs::of(radii);
-    let mut block = Block::after(Edge { time: first.time(), radius: first.radius() });
+    let mut block = Block::after(contact, Edge { time: first.time(), radius: first.radius() });
     let mut anchors = Anchors::at(0, block.last());
     let (mut squares, mut done) = ([T::zero(); TILE], 1);
     while done < times.len() {
         if let Some(now) = snapshot_if_apart(contact, block.last().time, times[done])? {
             now.pressures(radii, &mut values[done * width..][..width]);
-            block = Block::after(Edge { time: now.time(), radius: now.radius() });
+            block = Block::after(contact, Edge { time: now.time(), radius: now.radius() });
             anchors = Anchors::at(done, block.last());
             done += 1;
             continue;
         }
-        block.advance(contact, &times[done..])?;
-        block.fill(contact, &runs, &mut squares, &mut values[(done - 1) * width..]);
+        block.advance(&times[done..])?;
+        block.fill(&runs, &mut squares, &mut values[(done - 1) * width..]);
         done += block.len();
         if let Some(change) = block.change() {
             anchors.pass(change, (done - 1, block.last()), radii, values);
