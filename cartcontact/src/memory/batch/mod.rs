@@ -64,7 +64,8 @@ fn nodes_of_piece<T: Scalar>(rule: &Rule) -> usize {
 type PerPiece<T> = [T; MOST_PIECES];
 
 /// Consecutive short pieces.
-pub(super) struct Batch<T> {
+pub(super) struct Batch<'a, T, P, L> {
+    contact: &'a Contact<T, P, L>,
     count: usize,
     rule: &'static Rule,
     /// χ times the duration of each piece, and of all pieces after it.
@@ -82,11 +83,12 @@ pub(super) struct Batch<T> {
     pub(super) impulse: CompensatedSum<T>,
 }
 
-impl<T: Scalar> Batch<T> {
+impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Batch<'a, T, P, L> {
     /// No pieces, after a history with an impulse.
-    fn none(impulse: CompensatedSum<T>) -> Self {
+    fn none(contact: &'a Contact<T, P, L>, impulse: CompensatedSum<T>) -> Self {
         let none = [T::zero(); MOST_PIECES];
         Self {
+            contact,
             count: 0,
             rule: Rule::FOUR,
             folds: none,
@@ -103,14 +105,14 @@ impl<T: Scalar> Batch<T> {
     /// The short ones among the first of `pieces`, before which the load had an impulse.
     ///
     /// `faded` is the least number of e-foldings by which what a piece lays down has faded when it counts.
-    pub(super) fn of<P: GapProfile<T>, L: Load<T>>(
-        contact: &Contact<T, P, L>,
+    pub(super) fn of(
+        contact: &'a Contact<T, P, L>,
         pieces: &[Piece<T>],
         impulse: CompensatedSum<T>,
         faded: impl Fn(&Piece<T>) -> T,
     ) -> Self {
         let (chi, has_quick_radii) = (contact.medium().chi(), contact.profile().has_quick_radii());
-        let mut batch = Self::none(impulse);
+        let mut batch = Self::none(contact, impulse);
         // The logarithm of how much larger the rounding of T is than that of f64.
         let coarse = (T::default_epsilon() * T::constant(1.0 / f64::EPSILON)).ln();
         let coarse = if has_no_derivatives::<T>() { coarse } else { coarse - T::constant(OF_DERIVATIVES) };
@@ -174,17 +176,8 @@ impl<T: Scalar> Batch<T> {
     /// out to be too short, or radii are not found. The contact radius at the end of the batch is `edge`.
     ///
     /// Of what the batch has laid by its end, the share `remaining` is left at the time that counts.
-    pub(super) fn increment<P, L>(
-        &self,
-        contact: &Contact<T, P, L>,
-        (low, edge): (T, T),
-        remaining: T,
-    ) -> Option<Increment<T>>
-    where
-        P: GapProfile<T>,
-        L: Load<T>,
-    {
-        let zero = [T::zero(); MOST_NODES_OF_BATCH];
+    pub(super) fn increment(&self, (low, edge): (T, T), remaining: T) -> Option<Increment<T>> {
+        let (contact, zero) = (self.contact, [T::zero(); MOST_NODES_OF_BATCH]);
         let (mut load_integrals, mut weights, mut radii) = (zero, zero, zero);
         let nodes = ..(self.count * nodes_of_piece::<T>(self.rule)).min(MOST_NODES_OF_BATCH);
         let (load_integrals, weights) = (&mut load_integrals[nodes], &mut weights[nodes]);
@@ -197,7 +190,7 @@ impl<T: Scalar> Batch<T> {
                 load_integrals.iter_mut().for_each(|hereditary| *hereditary *= contact.integral_per_load());
             },
         );
-        if !self.find_radii(contact, edge, load_integrals, radii) {
+        if !self.find_radii(edge, load_integrals, radii) {
             return None;
         }
         let are_positive = contact.profile().has_only_positive_terms();
@@ -213,17 +206,8 @@ impl<T: Scalar> Batch<T> {
     }
 
     /// The radii of load integrals of the batch; false if they are not found.
-    fn find_radii<P, L>(
-        &self,
-        contact: &Contact<T, P, L>,
-        edge: T,
-        load_integrals: &[T],
-        radii: &mut [T],
-    ) -> bool
-    where
-        P: GapProfile<T>,
-        L: Load<T>,
-    {
+    fn find_radii(&self, edge: T, load_integrals: &[T], radii: &mut [T]) -> bool {
+        let contact = self.contact;
         if contact.profile().has_quick_radii() || !has_no_derivatives::<T>() {
             return contact.radii_of(load_integrals, radii).is_ok();
         }
@@ -280,7 +264,7 @@ impl<T: Scalar> Batch<T> {
 
     /// The rows of numbers at all nodes.
     #[inline(always)]
-    fn rows_mut<'a>(&self, values: &'a mut [T]) -> impl Iterator<Item = &'a mut [T]> {
+    fn rows_mut<'v>(&self, values: &'v mut [T]) -> impl Iterator<Item = &'v mut [T]> {
         values.chunks_exact_mut(self.count.max(1))
     }
 

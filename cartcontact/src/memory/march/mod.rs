@@ -179,13 +179,13 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
     }
 
     /// Continues along a batch of pieces; along none if one of them turns out not to be short.
-    fn advance_batch(&mut self, batch: &Batch<T>, pieces: &[Piece<T>]) -> bool {
+    fn advance_batch(&mut self, batch: &Batch<'_, T, P, L>, pieces: &[Piece<T>]) -> bool {
         let [first, .., last] = pieces else { return false };
         let (contact, chi) = (self.contact, self.contact.medium().chi());
         let (end, force) = last.end;
         let share = (-self.faded_since(last)).exp();
         let radius = self.radius_after(batch.impulse, last.end);
-        let Some(mut increment) = batch.increment(contact, (self.transition.reach, radius), share) else {
+        let Some(mut increment) = batch.increment((self.transition.reach, radius), share) else {
             return false;
         };
         let fading = Fading::over(chi * (end - self.now.time));
