@@ -61,6 +61,11 @@ fn assert_near(found: f64, expected: f64, tolerance: f64) {
     assert!((found / expected - 1.0).abs() <= tolerance, "{found:e} instead of {expected:e}");
 }
 
+/// ln(1 + eˣ), the integral of a logistic rise.
+fn softplus(x: f64) -> f64 {
+    x.max(0.0) + (-x.abs()).exp().ln_1p()
+}
+
 /// Half a cosine from nothing to 100 N in a second, then held: at first 1 − cos is zero or its rounding.
 #[test]
 fn half_a_cosine_may_be_written_as_such() -> Result<(), ContactError> {
@@ -228,12 +233,30 @@ fn rises_behind_a_rest_take_few_forces_off_the_axis() -> Result<(), ContactError
     Ok(())
 }
 
+/// Far from zero, forces of a steep rise are as uncertain as the times at which they are taken.
+#[test]
+fn late_steep_rises_take_few_forces() -> Result<(), ContactError> {
+    for width in [1e-2, 1e-3, 1e-4, 1e-5, 1e-6] {
+        let past = move |t: f64| (t - 300.0) / width;
+        let force = move |t: f64| 100.0 / (1.0 + (-past(t)).exp());
+        let impulse = move |t: f64| 100.0 * width * softplus(past(t));
+        let load = Formula { force, impulse, knot: f64::INFINITY, forces: Cell::new(0) };
+        let contact = joint(Patellofemoral, 0.0015, load);
+        let now = contact.at(400.0)?;
+        contact.load().forces.set(0);
+        assert!(now.peak_pressure() > 0.0);
+        let forces = contact.load().forces.get();
+        // The limit is three times the worst.
+        assert!(forces < 12_000, "{width:e} s: {forces} forces");
+    }
+    Ok(())
+}
+
 /// What happens after a load has begun is followed as closely as if it were all: short steps behind the beginning, which
 /// only see how times are rounded, do not make later steps longer.
 #[test]
 fn a_late_beginning_hides_nothing_behind_it() -> Result<(), ContactError> {
     let since = |t: f64| (t - 1.0).max(0.0);
-    let softplus = |x: f64| x.max(0.0) + (-x.abs()).exp().ln_1p();
     let force = move |t: f64| since(t).powf(1.5) + 50.0 / (1.0 + ((2.0 - t) / 0.005).exp());
     let impulse = move |t: f64| since(t).powf(2.5) / 2.5 + 0.25 * softplus((t - 2.0) / 0.005);
     for (t, expected) in [(2.1, 1.160_287_103_504_665_5), (3.0, 1.179_098_243_805_098_6)] {

@@ -2,11 +2,10 @@
 //! `Load` has it, against the same loads with their knots.
 
 use cartcontact::ContactError;
-use cartcontact::load::Load;
 use tests::budget;
 use tests::condition::edge;
 use tests::joint::joint;
-use tests::loads::{CountingForces, Unannounced, through};
+use tests::loads::{Unannounced, through};
 use tests::measure::relative_error;
 use tests::profiles::Patellofemoral;
 use tests::random::Stream;
@@ -142,36 +141,4 @@ fn falls_as_fast_as_the_pressure_follows_are_not_refused_behind_a_jump() {
             assert_eq!(untold.at(END).is_ok(), is_covered, "case {case}, {share} of the bound");
         }
     }
-}
-
-/// A rise by 50 N around a time, e-fold by e-fold of a width.
-struct Rise {
-    time: f64,
-    width: f64,
-}
-
-impl Load<f64> for Rise {
-    fn force(&self, t: f64) -> f64 {
-        50.0 + 50.0 / (1.0 + ((self.time - t) / self.width).exp())
-    }
-
-    fn impulse(&self, t: f64) -> f64 {
-        let past = (t - self.time) / self.width;
-        50.0 * t + 50.0 * self.width * (past.max(0.0) + (-past.abs()).exp().ln_1p())
-    }
-}
-
-/// Far from zero, forces of a steep rise are as uncertain as the times at which they are taken.
-#[test]
-fn late_steep_rises_take_few_forces() -> Result<(), ContactError> {
-    for width in [1e-2, 1e-3, 1e-4, 1e-5, 1e-6] {
-        let contact = joint(Patellofemoral, CHI, CountingForces::new(Rise { time: 300.0, width }));
-        let now = contact.at(END)?;
-        contact.load().forces();
-        assert!(now.peak_pressure() > 0.0);
-        let forces = contact.load().forces();
-        // The limit is three times the worst.
-        assert!(forces < 12_000, "{width:e} s: {forces} forces");
-    }
-    Ok(())
 }
