@@ -1,12 +1,12 @@
 //! Contact radii of a single term whose power is a fraction with a long numerator, so that no few octaves are a period.
 
-use cartcontact::{GapProfile, gap_profile};
+use cartcontact::gap_profile;
 use tests::budget;
 use tests::measure::{Errors, Exact};
 use tests::oracle::{Profile, double};
 use tests::random::Stream;
 
-use super::checks::{assert_same_in_other_units, assert_slices_are_right};
+use super::checks::{Inversion, assert_same_in_other_units, assert_slices_are_right};
 
 macro_rules! powers {
     ($($name:ident $constant:ident: $decimal:literal, $gap:expr, $constant_gap:expr;)*) => {
@@ -41,10 +41,10 @@ powers! {
 
 struct Kind {
     decimal: &'static str,
-    double: fn(f64) -> Box<dyn GapProfile<f64>>,
-    single: fn(f32) -> Box<dyn GapProfile<f32>>,
+    double: fn(f64) -> Box<dyn Inversion<f64>>,
+    single: fn(f32) -> Box<dyn Inversion<f32>>,
     /// The geometry with the coefficient 2⁻⁵, in both formats.
-    constant: (&'static dyn GapProfile<f64>, &'static dyn GapProfile<f32>),
+    constant: (&'static dyn Inversion<f64>, &'static dyn Inversion<f32>),
 }
 
 const CONSTANT: f64 = 0.03125;

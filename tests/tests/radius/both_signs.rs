@@ -79,6 +79,10 @@ fn radii_of_single_precision_are_exact_next_to_the_end() -> Result<(), ProfileEr
 
 #[test]
 fn radii_are_exact_up_to_their_condition() {
+    let condition = |terms: &[(f64, f64)], radius| {
+        let profile = Polynomial::new(terms).unwrap_or_else(|error| unreachable!("{error}"));
+        budget::RADIUS_OF_DIFFERENCES * of_radius(&profile, &of_sizes(terms), radius)
+    };
     let (mut errors, mut errors_of_single) = (Errors::of(budget::RADIUS), Errors::of_single(budget::RADIUS));
     for (index, kind) in (0..).zip(&KINDS) {
         let mut stream = Stream::of_case(1, index);
@@ -88,18 +92,16 @@ fn radii_are_exact_up_to_their_condition() {
             let (terms, profile) = (kind.double)(c, d);
             let load_integral = profile.load_integral(share * profile.max_radius().min(10.0));
             let found = profile.radius(load_integral).unwrap_or(f64::NAN);
-            let condition = budget::RADIUS_OF_DIFFERENCES * of_radius(&*profile, &of_sizes(&terms), found);
             let place = (index, c, d, share);
-            errors.add(found, exact_radius(&terms, load_integral), condition, &place);
+            errors.add(found, exact_radius(&terms, load_integral), condition(&terms, found), &place);
 
             // With a smaller share J would lack digits.
             let share = share.max(0.05) as f32;
             let (terms, profile) = (kind.single)(c.sqrt() as f32, d.sqrt() as f32);
             let load_integral = profile.load_integral(share * profile.max_radius().min(10.0));
             let found = f64::from(profile.radius(load_integral).unwrap_or(f32::NAN));
-            let same = Polynomial::new(&terms[..]).unwrap_or_else(|error| unreachable!("{error}"));
-            let condition = budget::RADIUS_OF_DIFFERENCES * of_radius(&same, &of_sizes(&terms), found);
-            errors_of_single.add(found, exact_radius(&terms, load_integral.into()), condition, &place);
+            let exact = exact_radius(&terms, load_integral.into());
+            errors_of_single.add(found, exact, condition(&terms, found), &place);
         }
     }
     errors.check();

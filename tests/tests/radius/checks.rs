@@ -9,6 +9,38 @@ use tests::measure::{Errors, Exact};
 use tests::oracle::{Profile, double};
 use tests::random::Stream;
 
+/// What these tests ask of a geometry. For each of seventy geometries in two formats, a table of all functions of a
+/// [`GapProfile`] would have to be compiled.
+pub(super) trait Inversion<T> {
+    fn load_integral(&self, a: T) -> T;
+    fn max_radius(&self) -> T;
+    fn radius(&self, load_integral: T) -> Result<T, RadiusError>;
+    fn radius_within(&self, load_integral: T, limit: T) -> Result<T, RadiusError>;
+    fn radii(&self, load_integrals: &[T], radii: &mut [T]) -> Result<(), RadiusError>;
+}
+
+impl<T: Scalar, P: GapProfile<T>> Inversion<T> for P {
+    fn load_integral(&self, a: T) -> T {
+        GapProfile::load_integral(self, a)
+    }
+
+    fn max_radius(&self) -> T {
+        GapProfile::max_radius(self)
+    }
+
+    fn radius(&self, load_integral: T) -> Result<T, RadiusError> {
+        GapProfile::radius(self, load_integral)
+    }
+
+    fn radius_within(&self, load_integral: T, limit: T) -> Result<T, RadiusError> {
+        GapProfile::radius_within(self, load_integral, limit)
+    }
+
+    fn radii(&self, load_integrals: &[T], radii: &mut [T]) -> Result<(), RadiusError> {
+        GapProfile::radii(self, load_integrals, radii)
+    }
+}
+
 /// The radius at which J of the terms (C, n) is `load_integral`.
 pub(super) fn exact_radius(terms: &[(f64, f64)], load_integral: f64) -> Exact {
     Exact::from(&Profile::of(terms).radius(&double(load_integral)))
@@ -17,7 +49,7 @@ pub(super) fn exact_radius(terms: &[(f64, f64)], load_integral: f64) -> Exact {
 /// Asserts that the radii of a slice are those of its load integrals one by one, to the last bit: in the given order, in
 /// ascending order, and of six hundred close to the first.
 pub(super) fn assert_same_one_by_one<T: Scalar>(
-    profile: &dyn GapProfile<T>,
+    profile: &dyn Inversion<T>,
     load_integrals: &[T],
     place: &dyn Debug,
 ) {
@@ -37,7 +69,7 @@ pub(super) fn assert_same_one_by_one<T: Scalar>(
 /// Asserts that slices have the radii that their load integrals have one by one, in both formats, and are refused for
 /// one fault.
 pub(super) fn assert_slices_are_right(
-    (profile, single): (&dyn GapProfile<f64>, &dyn GapProfile<f32>),
+    (profile, single): (&dyn Inversion<f64>, &dyn Inversion<f32>),
     load_integrals: &[f64],
     place: &dyn Debug,
 ) {
@@ -47,13 +79,13 @@ pub(super) fn assert_slices_are_right(
 }
 
 /// The load integrals in single precision that have a radius there.
-pub(super) fn in_single(profile: &dyn GapProfile<f32>, load_integrals: &[f64]) -> Vec<f32> {
+pub(super) fn in_single(profile: &dyn Inversion<f32>, load_integrals: &[f64]) -> Vec<f32> {
     let single = load_integrals.iter().map(|&load_integral| load_integral as f32);
     single.filter(|&load_integral| profile.radius(load_integral).is_ok()).collect()
 }
 
 /// Asserts that a slice is refused for the one load integral in it that is negative or infinite, and with its value.
-fn assert_one_fault_is_named(profile: &dyn GapProfile<f64>, load_integrals: &[f64], place: &dyn Debug) {
+fn assert_one_fault_is_named(profile: &dyn Inversion<f64>, load_integrals: &[f64], place: &dyn Debug) {
     for bad in [-1.0, f64::INFINITY] {
         let mut load_integrals = load_integrals.to_vec();
         let middle = load_integrals.len() / 2;
@@ -66,7 +98,7 @@ fn assert_one_fault_is_named(profile: &dyn GapProfile<f64>, load_integrals: &[f6
 /// Asserts that a geometry in other units has the same radius, to the last bit: `other` has a unit of length `length`
 /// times as small, so that a coefficient C is C/lengthⁿ, and coefficients that are also `size` times as large.
 pub(super) fn assert_same_in_other_units(
-    [profile, other]: [&dyn GapProfile<f64>; 2],
+    [profile, other]: [&dyn Inversion<f64>; 2],
     load_integral: f64,
     [length, size]: [f64; 2],
     place: &dyn Debug,
@@ -79,9 +111,9 @@ pub(super) fn assert_same_in_other_units(
 /// A geometry in both formats, with its terms (C, n) as written.
 pub(super) struct Kind {
     /// In `f64`.
-    pub(super) double: &'static dyn GapProfile<f64>,
+    pub(super) double: &'static dyn Inversion<f64>,
     /// In `f32`.
-    pub(super) single: &'static dyn GapProfile<f32>,
+    pub(super) single: &'static dyn Inversion<f32>,
     /// The terms.
     pub(super) terms: &'static [(&'static str, &'static str)],
     /// The decades in which radii are drawn.

@@ -199,11 +199,11 @@ fn many_radii_are_those_of_single_ones() {
         for ratio in [0.99_f64, 0.9] {
             let falling = (0..1000).map(|k| largest * ratio.powi(k * 37 % 1000));
             let load_integrals: Vec<f64> = falling.chain([0.0, largest]).collect();
-            let single = in_single(case.single, &load_integrals);
+            let single = in_single(&case.single, &load_integrals);
             for length in [1, 15, 16, 17, 63, 64, 65, 127, 128, 129, 1002] {
                 let place = (case, ratio, length);
-                assert_same_one_by_one(case.double, &load_integrals[..length], &place);
-                assert_same_one_by_one(case.single, &single[..length.min(single.len())], &place);
+                assert_same_one_by_one(&case.double, &load_integrals[..length], &place);
+                assert_same_one_by_one(&case.single, &single[..length.min(single.len())], &place);
             }
         }
     }
@@ -232,7 +232,7 @@ fn slices_end_with_the_range() {
     for profile in [&BoundedPolynomials as &dyn GapProfile<f64>, &BoundedSteps] {
         let end = profile.load_integral(6.0);
         let mut load_integrals: Vec<f64> = (0..500).map(|k| end * 0.97_f64.powi(k)).collect();
-        assert_same_one_by_one(profile, &load_integrals, &end);
+        assert_same_one_by_one(&profile, &load_integrals, &end);
         load_integrals[300] = 1.001 * end;
         let refused = profile.radii(&load_integrals, &mut vec![f64::NAN; load_integrals.len()]);
         assert!(refused.is_err());

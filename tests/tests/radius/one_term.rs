@@ -1,11 +1,11 @@
 //! Contact radii of a single term whose coefficient is a field of the struct, of any size.
 
-use cartcontact::{GapProfile, RadiusError, gap_profile};
+use cartcontact::{RadiusError, gap_profile};
 use tests::budget;
 use tests::measure::{Errors, Exact, ulps};
 use tests::random::Stream;
 
-use super::checks::{assert_same_in_other_units, assert_slices_are_right, exact_radius};
+use super::checks::{Inversion, assert_same_in_other_units, assert_slices_are_right, exact_radius};
 
 macro_rules! terms {
     ($($name:ident: $exponent:literal, $gap:expr;)*) => {
@@ -39,8 +39,8 @@ terms! {
 
 struct Kind {
     exponent: f64,
-    double: fn(f64) -> Box<dyn GapProfile<f64>>,
-    single: fn(f32) -> Box<dyn GapProfile<f32>>,
+    double: fn(f64) -> Box<dyn Inversion<f64>>,
+    single: fn(f32) -> Box<dyn Inversion<f32>>,
 }
 
 impl Kind {

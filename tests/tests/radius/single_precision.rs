@@ -2,12 +2,12 @@
 
 use core::fmt::Debug;
 
-use cartcontact::{GapProfile, RadiusError, gap_profile};
+use cartcontact::{RadiusError, gap_profile};
 use tests::budget;
 use tests::measure::Errors;
 use tests::random::Stream;
 
-use super::checks::exact_radius;
+use super::checks::{Inversion, exact_radius};
 
 /// The square of the ratio of the coefficients leaves the format.
 #[gap_profile(r^2 + 1e-20 * r^4)]
@@ -60,12 +60,12 @@ struct RoundedExponent {
 
 /// A geometry, its terms (C, n), and the powers of ten between which its load integrals lie.
 struct Case {
-    profile: Box<dyn GapProfile<f32>>,
+    profile: Box<dyn Inversion<f32>>,
     terms: Vec<(f64, f64)>,
     range: [f64; 2],
 }
 
-fn case(profile: impl GapProfile<f32> + 'static, terms: &[(f64, f64)], range: [f64; 2]) -> Case {
+fn case(profile: impl Inversion<f32> + 'static, terms: &[(f64, f64)], range: [f64; 2]) -> Case {
     Case { profile: Box::new(profile), terms: terms.to_vec(), range }
 }
 
@@ -143,7 +143,7 @@ fn radii_are_exact_where_exponents_of_fields_are_not_in_the_format() {
 fn no_bits_of_a_field_lead_to_a_panic() {
     let erased = f32::from_bits(u32::MAX);
     for (b, c) in [(erased, 1.0), (1.0, erased), (erased, erased)] {
-        for profile in [&Quarters { b, c } as &dyn GapProfile<f32>, &Mixed { b, c }] {
+        for profile in [&Quarters { b, c } as &dyn Inversion<f32>, &Mixed { b, c }] {
             let radius = profile.radius(1.0);
             assert!(matches!(radius, Err(RadiusError::BeyondRange { .. })), "{b}, {c}: {radius:?}");
         }

@@ -1,7 +1,7 @@
 //! Contact radii of geometries with symbolic coefficients, mostly three: they are exact for coefficients of any size,
 //! the same in all units, and the same one by one and in a slice.
 
-use cartcontact::{GapProfile, gap_profile};
+use cartcontact::gap_profile;
 use tests::budget;
 use tests::condition::{degree, of_sizes};
 use tests::measure::{Errors, Exact, ulps};
@@ -10,7 +10,7 @@ use tests::oracle::{Profile, double};
 use tests::random::Stream;
 
 use super::checks::{
-    assert_same_in_other_units, assert_same_one_by_one, assert_slices_are_right, exact_radius,
+    Inversion, assert_same_in_other_units, assert_same_one_by_one, assert_slices_are_right, exact_radius,
 };
 
 /// Structs of three fields and the kinds that they are.
@@ -78,8 +78,8 @@ struct Lined {
 /// A kind of geometry: its exponents, and its constructors from coefficients.
 struct Kind {
     exponents: [f64; 3],
-    double: fn([f64; 3]) -> Box<dyn GapProfile<f64>>,
-    single: fn([f32; 3]) -> Box<dyn GapProfile<f32>>,
+    double: fn([f64; 3]) -> Box<dyn Inversion<f64>>,
+    single: fn([f32; 3]) -> Box<dyn Inversion<f32>>,
 }
 
 impl Kind {
@@ -136,7 +136,7 @@ fn differences_of_quotients_lose_no_digit() {
     for _ in 0..200 {
         let head = stream.between(10.0, 30.0);
         let load_integral = stream.magnitude(-2.0, 4.0);
-        let mut add = |profile: &dyn GapProfile<f64>, socket: Real, place: [f64; 3]| {
+        let mut add = |profile: &dyn Inversion<f64>, socket: Real, place: [f64; 3]| {
             let found = profile.radius(load_integral).unwrap_or(f64::NAN);
             errors.add(found, exact_radius_of_spheres(&double(head), &socket, load_integral), 1.0, &place);
         };

@@ -1,9 +1,9 @@
 //! Geometries of two fields, in both formats.
 
-use cartcontact::GapProfile;
+use super::checks::Inversion;
 
 /// The terms (C, n) of a geometry, computed in the arithmetic of its scalar, and the geometry.
-pub(super) type Found<T> = (Vec<(f64, f64)>, Box<dyn GapProfile<T>>);
+pub(super) type Found<T> = (Vec<(f64, f64)>, Box<dyn Inversion<T>>);
 
 /// A geometry of two fields.
 pub(super) struct OfTwoFields {
