@@ -7,7 +7,7 @@ use num_bigint::Sign;
 use num_traits::{ToPrimitive, Zero};
 
 use crate::diagnostics::Extent;
-use crate::gap::coefficient::{Coefficient, ZERO_DIVISOR};
+use crate::gap::coefficient::Coefficient;
 use crate::gap::like_terms::{LikeTerms, Summable};
 use crate::number::{self, Rational, integer};
 
@@ -132,7 +132,7 @@ impl Polynomial {
             return match exponent.numer().sign() {
                 Sign::Plus => Ok(Polynomial::default()),
                 Sign::NoSign => Err("0^0 has no value; write the number that is meant"),
-                Sign::Minus => Err(ZERO_DIVISOR),
+                Sign::Minus => Err("a divisor must not be zero; write another, or remove the division"),
             };
         }
         if exponent.is_negative() || !exponent.is_integer() {

@@ -103,15 +103,10 @@ pub(crate) fn from_decimal(digits: &str, decimals: usize, exponent: i64) -> Resu
     Ok(integer(digits) * integer(10).pow((exponent - decimals as i64) as i32))
 }
 
-/// `base` to an integer power; `None` if the result is too large to be useful. The base of a negative power must not be
-/// zero.
+/// `base` to an integer power; `None` if the result is too large to be useful. Neither of them is zero.
 pub(crate) fn power(base: &Rational, exponent: &BigInt) -> Option<Rational> {
-    if base.is_zero() || base.abs().is_one() {
-        return Some(match exponent.is_even() {
-            true if exponent.is_zero() => Rational::one(),
-            true => base * base,
-            false => base.clone(),
-        });
+    if base.abs().is_one() {
+        return Some(if exponent.is_even() { Rational::one() } else { base.clone() });
     }
     let exponent = exponent.to_i32()?;
     let bits = base.numer().bits() + base.denom().bits();
@@ -119,12 +114,12 @@ pub(crate) fn power(base: &Rational, exponent: &BigInt) -> Option<Rational> {
     fits.then(|| base.pow(exponent))
 }
 
-/// The root of a positive number, if it is rational.
+/// The root of a positive number, if it is rational. Its index is positive.
 pub(crate) fn root(base: &Rational, index: &BigInt) -> Option<Rational> {
     if base.is_one() {
         return Some(Rational::one());
     }
-    let index = index.to_u32().filter(|index| *index > 0 && base.is_positive())?;
+    let index = index.to_u32()?;
     let root = Rational::new(base.numer().nth_root(index), base.denom().nth_root(index));
     let exact = root.numer().pow(index) == *base.numer() && root.denom().pow(index) == *base.denom();
     exact.then_some(root)
@@ -269,6 +264,5 @@ mod tests {
         assert_eq!(root(&integer(1), &BigInt::from(10).pow(20)), Some(integer(1)));
         assert_eq!(root(&integer(2), &2.into()), None);
         assert_eq!([fraction(9, 5), fraction(5, 9)].map(|base| root(&base, &2.into())), [None, None]);
-        assert_eq!(root(&integer(-8), &3.into()), None);
     }
 }
