@@ -148,7 +148,6 @@ fn power(variable: &str, exponent: &Rational) -> String {
     }
     let digits = exponent.to_string();
     let raised = digits.chars().map(|digit| match digit {
-        '-' => '⁻',
         '1' => '¹',
         '2' => '²',
         '3' => '³',

@@ -55,7 +55,7 @@ impl End {
 
     fn exceeds_nearest(&mut self, radius: &Rational) -> bool {
         let nearest = number::nearest(radius).and_then(Rational::from_float);
-        nearest.is_none_or(|nearest| !nearest.is_positive() || self.compare(&nearest) == Ordering::Greater)
+        nearest.is_none_or(|nearest| self.compare(&nearest) == Ordering::Greater)
     }
 
     /// The largest with mantissa * unit < radius, by bisection of the numbers of seven digits.
@@ -73,7 +73,7 @@ impl End {
 
     /// The e with 10^e < radius <= 10^(e+1): estimated from the narrowed root, then corrected exactly if it is shown.
     fn decimal_exponent(&mut self) -> i64 {
-        let per_root = f64::from(self.denominator) / f64::from(self.numerator.max(1));
+        let per_root = f64::from(self.denominator) / f64::from(self.numerator);
         let mut exponent = (self.root.log10() * per_root).floor() as i64;
         if !SHOWN_EXPONENTS.contains(&exponent) {
             return exponent;

@@ -41,8 +41,7 @@ impl Product {
     fn is_word(&self) -> bool {
         match self.single_atom() {
             Some(Atom::Field { .. }) => number::is_power_of_two(&self.number),
-            Some(Atom::Sum(_)) => false,
-            None => self.powers.is_empty() && number::has_few_digits(&self.number),
+            _ => self.powers.is_empty() && number::has_few_digits(&self.number),
         }
     }
 
