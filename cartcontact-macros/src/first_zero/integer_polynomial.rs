@@ -51,14 +51,9 @@ impl IntegerPolynomial {
 
     /// Divided by the greatest common divisor of its coefficients.
     pub(crate) fn primitive(&self) -> Self {
-        let mut content = BigInt::zero();
-        for coefficient in self.coefficients.iter().rev() {
-            content = common_factor(coefficient, &content);
-            if content.is_one() {
-                return self.clone();
-            }
-        }
-        IntegerPolynomial::new(self.coefficients.iter().map(|coefficient| coefficient / &content).collect())
+        let content = greatest_divisor(self.coefficients.iter().collect());
+        let parts = self.coefficients.iter().map(|coefficient| quotient(coefficient, &content));
+        IntegerPolynomial { coefficients: parts.collect() }
     }
 
     /// The value at offset/2^bits, times 2^(bits n) for the degree n.
@@ -126,7 +121,7 @@ impl IntegerPolynomial {
 /// factor of that denominator is missing in the term that it comes from.
 pub(crate) fn from_terms(terms: &[(usize, &Rational)]) -> IntegerPolynomial {
     let denominator = common_denominator(terms.iter().map(|(_, coefficient)| *coefficient));
-    let content = common_numerator(terms);
+    let content = greatest_divisor(terms.iter().map(|(_, coefficient)| coefficient.numer()).collect());
     let degree = terms.iter().map(|(power, _)| *power).max().unwrap_or(0);
     let mut coefficients = vec![BigInt::zero(); degree + 1];
     for &(power, coefficient) in terms {
@@ -152,13 +147,12 @@ fn quotient(multiple: &BigInt, divisor: &BigInt) -> BigInt {
     (twice + &divisor).div_floor(&(divisor << 1))
 }
 
-/// The greatest common divisor of the numerators; the short ones come first, as they have few divisors.
-fn common_numerator(terms: &[(usize, &Rational)]) -> BigInt {
-    let mut numerators: Vec<&BigInt> = terms.iter().map(|(_, coefficient)| coefficient.numer()).collect();
-    numerators.sort_by_key(|numerator| numerator.bits());
+/// The greatest common divisor; the short numbers come first, as they have few divisors.
+fn greatest_divisor(mut numbers: Vec<&BigInt>) -> BigInt {
+    numbers.sort_by_key(|number| number.bits());
     let mut common = BigInt::zero();
-    for numerator in numerators {
-        common = common_factor(numerator, &common);
+    for number in numbers {
+        common = common_factor(number, &common);
         if common.is_one() {
             break;
         }

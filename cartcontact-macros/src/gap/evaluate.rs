@@ -149,7 +149,9 @@ impl<'a> Evaluator<'a> {
         let (mut faulty, mut sums) = (false, 0);
         for Factor { divides, expression } in factors {
             let value = match self.shape(expression) {
-                Some(divisor) if *divides => self.inverse(&divisor, expression.extent),
+                Some(divisor) if *divides => {
+                    self.checked(divisor.power(&-Rational::one()), expression.extent)
+                }
                 value => value,
             };
             let Some(value) = value else {
@@ -164,11 +166,6 @@ impl<'a> Evaluator<'a> {
         let product = product.filter(|_| !faulty);
         // Each term of a product of sums comes from several places.
         if sums > 1 { product.map(|product| product.spread(extent)) } else { product }
-    }
-
-    fn inverse(&mut self, divisor: &Shape, extent: Extent) -> Option<Shape> {
-        let inverse = divisor.power(&-Rational::one());
-        self.checked(inverse, extent)
     }
 
     fn power(&mut self, base: &Expression, exponent: &Expression) -> Option<Shape> {

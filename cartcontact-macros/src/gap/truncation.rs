@@ -96,12 +96,6 @@ struct Rest {
     rise: Rational,
 }
 
-/// A bound of E, or of −E, and the factor that it has when it is compared with ε Φ_N.
-struct Side {
-    powers: Powers,
-    factor: Rational,
-}
-
 impl Neglected {
     /// What orders up to the highest neglect; nothing if a coefficient is not a number, or if the range reaches a rim.
     pub(crate) fn new(shape: &Shape, radius: &Rational, highest_order: u32) -> Option<Self> {
@@ -125,7 +119,7 @@ impl Neglected {
 
     /// Whether |E| ≤ ε Φ on the whole range.
     pub(crate) fn is_within(&self, tolerance: &Rational, order: u32) -> Result<bool, Unprovable> {
-        for Side { powers, factor } in self.sides(order, tolerance) {
+        for (powers, factor) in self.sides(order, tolerance) {
             let mut difference = self.kept(order);
             difference.map(|value| *value = &*value * tolerance);
             for (exponent, value) in powers {
@@ -186,9 +180,9 @@ impl Neglected {
         kept
     }
 
-    /// The bounds of E and −E, except one that is nowhere positive: it is below the share of Φ_N where that is
-    /// positive, which the other bound implies.
-    fn sides(&self, order: u32, tolerance: &Rational) -> Vec<Side> {
+    /// The bounds of E and −E with the factors that they have when they are compared with ε Φ_N, except a bound that is
+    /// nowhere positive: it is below the share of Φ_N where that is positive, which the other bound implies.
+    fn sides(&self, order: u32, tolerance: &Rational) -> Vec<(Powers, Rational)> {
         let (mut over, mut under) = (Powers::default(), Powers::default());
         let (first, last) = (order / 2, order / 2 + TERMS_AHEAD);
         for (j, sum) in (1..=last).zip(&self.sums).skip(first as usize) {
@@ -202,9 +196,8 @@ impl Neglected {
         under.add(integer(2 * last + 2), -below.at_centre);
         under.add(integer(2 * last + 4), ceil(&(-below.rise / &square), DIGITS));
         let sides = [(over, Rational::one() - tolerance), (under, Rational::one() + tolerance)];
-        let sides =
-            sides.into_iter().filter(|(powers, _)| powers.iter().any(|(_, value)| value.is_positive()));
-        sides.map(|(powers, factor)| Side { powers, factor }).collect()
+        let is_somewhere_positive = |powers: &Powers| powers.iter().any(|(_, value)| value.is_positive());
+        sides.into_iter().filter(|(powers, _)| is_somewhere_positive(powers)).collect()
     }
 
     /// m and M, if the first term that is not summed has this index.

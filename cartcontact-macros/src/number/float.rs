@@ -117,8 +117,7 @@ impl Float {
         let first = whole as f32;
         let parts = [first, (whole - first as i128) as f32, (all - whole) as f32];
         let unit = 2f64.powi(i32::try_from(self.exponent + 48).ok()?);
-        let is_in_range = |octave: f64| (-60.0..120.0).contains(&octave);
-        is_in_range(self.log2()).then(|| parts.map(|part| (f64::from(part) * unit) as f32))
+        (-60.0..120.0).contains(&self.log2()).then(|| parts.map(|part| (f64::from(part) * unit) as f32))
     }
 }
 
