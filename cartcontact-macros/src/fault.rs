@@ -3,8 +3,6 @@
 //! A change that satisfies one stage may be refused by another: a range that ends before the gap turns may reach the
 //! rim of a surface, or be too long for the order. So a remedy is offered only if it leads to a geometry.
 
-use num_traits::ToPrimitive;
-
 use crate::diagnostics::Extent;
 use crate::gap::rim;
 use crate::gap::surface::Surface;
@@ -105,7 +103,7 @@ fn within_series(
     }
     let parts = [fraction(3, 4), fraction(1, 2), fraction(1, 4)];
     parts.iter().find_map(|part| {
-        let radius = three_digits((&radius * part).to_f64()?)?;
+        let radius = three_digits((&radius * part).to_f64())?;
         works(&radius).then(|| format!("write `max_radius = {}`, for example", decimal(&radius)))
     })
 }

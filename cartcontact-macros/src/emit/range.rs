@@ -1,6 +1,5 @@
 //! `max_radius`, and `check` if the values of fields decide.
 
-use num_traits::ToPrimitive;
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
@@ -39,7 +38,7 @@ pub(super) fn methods(coefficients: &Coefficients<'_>) -> TokenStream {
 
 /// Whether single precision certainly holds a coefficient with all its digits, and its multiples in the kernels.
 fn fits_every_format(term: &Term) -> bool {
-    let size = term.coefficient.as_constant().and_then(|value| value.abs().to_f32());
+    let size = term.coefficient.as_constant().map(|value| value.abs().to_f64() as f32);
     // The multiples range from C n/(2 (n+2)²), with n up to 1024, to 2 C. For n below 1 the first has no lower bound:
     // `check` tells.
     size.is_some_and(|size| (1e-30..1e38).contains(&size)) && term.exponent >= integer(1)
@@ -67,7 +66,7 @@ fn known(coefficients: &Coefficients<'_>) -> Option<TokenStream> {
         (_, Proof::AtRunTime) | (Range::Symbolic(_), Proof::OnRange) => None,
         (Range::Limited(end), proof) => {
             let is_end_of_proof = *proof == Proof::OnRange || geometry.truncation.is_some();
-            let single = end.to_f32().and_then(|end| Rational::from_float(end.into()));
+            let single = Rational::from_float((end.to_f64() as f32).into());
             let rounds_up = single.is_some_and(|single| single > *end);
             let function = names.generated("not_above");
             let function = if is_end_of_proof && rounds_up { function } else { constant };

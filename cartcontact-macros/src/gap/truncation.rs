@@ -161,7 +161,7 @@ impl Neglected {
     /// The smallest order within a tolerance, if there is one. If the e_j have different signs, an order within it may
     /// be followed by one that is not, so all are tried from the lowest on.
     pub(crate) fn smallest_order(&self, tolerance: &Rational) -> Result<Option<u32>, Unprovable> {
-        let wanted = tolerance.to_f64().unwrap_or(0.0).max(f64::MIN_POSITIVE) * (1.0 + UNCERTAIN);
+        let wanted = tolerance.to_f64().max(f64::MIN_POSITIVE) * (1.0 + UNCERTAIN);
         for order in (2..=self.highest_order).step_by(2) {
             if self.estimate(order) <= wanted && self.is_within(tolerance, order)? {
                 return Ok(Some(order));
@@ -253,9 +253,8 @@ impl Neglected {
 fn at_end(radius: &Rational, exponent: &Rational, value: &Rational) -> (f64, f64) {
     let whole = exponent.floor();
     let term = value * radius.pow(whole.to_i32().unwrap_or(0));
-    let fraction = (exponent - whole).to_f64().unwrap_or(0.0);
-    let rest = radius.to_f64().unwrap_or(0.0).powf(fraction);
-    (exponent.to_f64().unwrap_or(0.0), term.to_f64().unwrap_or(f64::NAN) * rest)
+    let rest = radius.to_f64().powf((exponent - whole).to_f64());
+    (exponent.to_f64(), term.to_f64() * rest)
 }
 
 impl Sum {
@@ -277,8 +276,7 @@ impl Sum {
 
 /// Without reducing, as numbers beside lengths such as 1e-300 have thousands of digits.
 fn product(value: &Rational, scale: &Rational) -> f64 {
-    let product = Rational::new_raw(value.numer() * scale.numer(), value.denom() * scale.denom());
-    product.to_f64().unwrap_or(f64::NAN)
+    Rational::new_raw(value.numer() * scale.numer(), value.denom() * scale.denom()).to_f64()
 }
 
 /// Without reducing by greatest common divisors, which take most of the time of such a sum.

@@ -52,12 +52,12 @@ fn common_multiple(denominators: Vec<&BigInt>) -> BigInt {
 
 /// The nearest `f64`, unless that is zero or infinite.
 pub(crate) fn nearest(value: &Rational) -> Option<f64> {
-    value.to_f64().filter(|nearest| nearest.is_finite() && *nearest != 0.0)
+    Some(value.to_f64()).filter(|nearest| nearest.is_finite() && *nearest != 0.0)
 }
 
 /// The nearest finite `f64`.
 pub(crate) fn rounded(value: &Rational) -> f64 {
-    value.to_f64().unwrap_or(0.0).clamp(f64::MIN, f64::MAX)
+    value.to_f64().clamp(f64::MIN, f64::MAX)
 }
 
 /// The nearest finite `f64`, and the one nearest to the remainder.
@@ -157,13 +157,12 @@ pub(crate) fn three_digits(value: f64) -> Option<Rational> {
 
 /// For readers: a short fraction if it is not a decimal, otherwise the nearest `f64`.
 pub(crate) fn decimal(value: &Rational) -> String {
-    let shortest = value.to_f64().unwrap_or(0.0);
     let (numerator, denominator) = (value.numer(), value.denom());
     let is_short = numerator.bits() + denominator.bits() < 40;
     if is_short && !is_binary(value) && !is_written(value) {
         format!("{numerator}/{denominator}")
     } else {
-        plain(shortest)
+        plain(value.to_f64())
     }
 }
 
@@ -175,7 +174,7 @@ pub(crate) fn operand(value: &Rational) -> String {
 
 /// Whether the shortest digits of the nearest `f64` are the number itself.
 pub(crate) fn is_written(value: &Rational) -> bool {
-    let written = format!("{:e}", value.to_f64().unwrap_or(0.0));
+    let written = format!("{:e}", value.to_f64());
     let (mantissa, exponent) = written.split_once('e').unwrap_or((&written, "0"));
     let (whole, decimals) = mantissa.split_once('.').unwrap_or((mantissa, ""));
     let digits = format!("{whole}{decimals}");

@@ -99,6 +99,25 @@ impl Rational {
         Rational { numerator: base.numerator.pow(size), denominator: base.denominator.pow(size) }
     }
 
+    /// The nearest `f64`; of two, the even one.
+    pub(crate) fn to_f64(&self) -> f64 {
+        let size = self.numerator.magnitude();
+        // A quotient of 64 or 65 bits, and one more bit that stands for all that follow.
+        let scale = size.bits() as i64 - self.denominator.bits() as i64 - 64;
+        let up = |value: &BigUint, steps: i64| value << steps.max(0).unsigned_abs();
+        let (quotient, rest) = up(size, -scale).div_rem(&up(self.denominator.magnitude(), scale));
+        let digits = quotient.to_u128().unwrap_or_default() << 1 | u128::from(!rest.is_zero());
+        // The last digit of an `f64` of this size is worth at least 2^-1074.
+        let bits = i64::from(u128::BITS - digits.leading_zeros());
+        let cut = (bits - 53).max(-1074 - (scale - 1)).clamp(0, 127) as u32;
+        let (kept, tail, half) = (digits >> cut, digits & ((1 << cut) - 1), (1 << cut) >> 1);
+        let rounded = if tail > half || (tail == half && kept % 2 == 1) { kept + 1 } else { kept };
+        let exponent = (scale - 1 + i64::from(cut)).clamp(-2200, 2200) as i32;
+        // In two steps, as the whole power may not be an `f64`.
+        let value = rounded as f64 * 2f64.powi(exponent / 2) * 2f64.powi(exponent - exponent / 2);
+        if self.is_negative() { -value } else { value }
+    }
+
     /// `number/denominator` in lowest terms, whose only common factors divide `factor`.
     fn reduced(numerator: BigInt, denominator: BigInt, factor: &BigInt) -> Self {
         let common = common_factor(&numerator, factor);
@@ -118,25 +137,6 @@ impl ToPrimitive for Rational {
     /// The integer part.
     fn to_u64(&self) -> Option<u64> {
         (&self.numerator / &self.denominator).to_u64()
-    }
-
-    /// The nearest `f64`; of two, the even one.
-    fn to_f64(&self) -> Option<f64> {
-        let size = self.numerator.magnitude();
-        // A quotient of 64 or 65 bits, and one more bit that stands for all that follow.
-        let scale = size.bits() as i64 - self.denominator.bits() as i64 - 64;
-        let up = |value: &BigUint, steps: i64| value << steps.max(0).unsigned_abs();
-        let (quotient, rest) = up(size, -scale).div_rem(&up(self.denominator.magnitude(), scale));
-        let digits = quotient.to_u128()? << 1 | u128::from(!rest.is_zero());
-        // The last digit of an `f64` of this size is worth at least 2^-1074.
-        let bits = i64::from(u128::BITS - digits.leading_zeros());
-        let cut = (bits - 53).max(-1074 - (scale - 1)).clamp(0, 127) as u32;
-        let (kept, tail, half) = (digits >> cut, digits & ((1 << cut) - 1), (1 << cut) >> 1);
-        let rounded = if tail > half || (tail == half && kept % 2 == 1) { kept + 1 } else { kept };
-        let exponent = (scale - 1 + i64::from(cut)).clamp(-2200, 2200) as i32;
-        // In two steps, as the whole power may not be an `f64`.
-        let value = rounded as f64 * 2f64.powi(exponent / 2) * 2f64.powi(exponent - exponent / 2);
-        Some(if self.is_negative() { -value } else { value })
     }
 }
 
@@ -313,10 +313,10 @@ mod tests {
     #[test]
     fn doubles_are_fractions_and_back() {
         for value in [0.1, -3.5, 1e300, 5e-324, 2.3e-310, f64::MAX, f64::MIN_POSITIVE, 0.0] {
-            assert_eq!(Rational::from_float(value).unwrap().to_f64(), Some(value));
+            assert_eq!(Rational::from_float(value).unwrap().to_f64(), value);
         }
         assert_eq!(Rational::from_float(f64::INFINITY), None);
-        assert_eq!(fraction(10, 1).pow(400).to_f64(), Some(f64::INFINITY));
-        assert_eq!(fraction(10, 1).pow(-400).to_f64(), Some(0.0));
+        assert_eq!(fraction(10, 1).pow(400).to_f64(), f64::INFINITY);
+        assert_eq!(fraction(10, 1).pow(-400).to_f64(), 0.0);
     }
 }

@@ -120,7 +120,7 @@ impl Source {
         let (mut terms, mut sizes, mut numerators) = (Vec::new(), Vec::new(), Vec::new());
         for summand in summands {
             let (j, p) = (summand.constant()?, &summand.exponent);
-            terms.push((j.to_f64()?, p.to_f64()?));
+            terms.push((j.to_f64(), p.to_f64()));
             sizes.push(Float::of(&j.abs())?);
             numerators.push((p * integer(denominator)).to_u32()?);
         }

@@ -13,8 +13,6 @@
 //! **Signs.** A table is for one sign of each term. If the sign of the second of two terms is not certain, the table
 //! takes the one for positive fields: `c * r^2 - d * r^4` has a table for an oblate gap. Other values have no table.
 
-use num_traits::ToPrimitive;
-
 use crate::closed_forms::{PowerSum, Summand};
 use crate::gap::Gap;
 use crate::gap::coefficient::{Coefficient, Sign};
@@ -37,7 +35,7 @@ pub(crate) fn factors(gap: &Gap, load_integral: &PowerSum) -> Option<Vec<f64>> {
         let (above, below) = (integer(order.numer().clone()), integer(order.denom().clone()));
         let (sign, ratio) = over_first(summand)?;
         let power = ratio.power(&below).ok()?.multiply(&of_second.power(&-above).ok()?);
-        factors.push(sign * power.as_constant()?.to_f64()?.powf(below.recip().to_f64()?));
+        factors.push(sign * power.as_constant()?.to_f64().powf(below.recip().to_f64()));
     }
     Some(factors)
 }

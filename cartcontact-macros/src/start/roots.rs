@@ -77,9 +77,9 @@ pub(crate) fn has_window(only: &Summand) -> bool {
 /// The table of a single term, if there is one.
 pub(crate) fn roots(geometry: &Geometry, only: &Summand) -> Option<Roots> {
     let exponent = &only.exponent;
-    let p = exponent.to_f64()?;
+    let p = exponent.to_f64();
     let window = only.constant().filter(|_| has_window(only)).and_then(|j| {
-        let size = j.to_f64()?;
+        let size = j.to_f64();
         Some((j, top(geometry, |a| size * a.powf(p))? - OCTAVES))
     });
     let (octaves, j, reach) = match (window, exponent.numer().to_i32()) {

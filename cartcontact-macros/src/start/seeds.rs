@@ -18,7 +18,7 @@
 
 use core::ops::Range;
 
-use num_traits::{One, ToPrimitive};
+use num_traits::One;
 
 use crate::closed_forms::{PowerSum, Stepped, Summand};
 use crate::geometry::Geometry;
@@ -63,17 +63,16 @@ pub(crate) fn seeds(geometry: &Geometry, stepped: &Stepped) -> Option<Seeds> {
     let is_constant = geometry.gap.is_constant();
     let load_integral = &stepped.load_integral;
     let factors: Vec<f64> = if is_constant {
-        load_integral.summands.iter().map(|summand| summand.constant()?.to_f64()).collect::<Option<_>>()?
+        let constants = load_integral.summands.iter().map(Summand::constant);
+        constants.map(|constant| Some(constant?.to_f64())).collect::<Option<_>>()?
     } else {
         own_units::factors(&geometry.gap, load_integral)?
     };
-    let mut terms = Vec::new();
-    for (&factor, summand) in factors.iter().zip(&load_integral.summands) {
-        terms.push((factor, summand.exponent.to_f64()?));
-    }
+    let exponents = load_integral.summands.iter().map(|summand| summand.exponent.to_f64());
+    let terms = factors.iter().copied().zip(exponents).collect();
     let largest_single = if is_constant { LARGEST_SINGLE } else { LARGEST_SINGLE_OF_SYMBOLS };
     let unit = unit(load_integral);
-    let steps = Steps::new(terms, stepped.root, logarithm(unit.to_f64()?), largest_single);
+    let steps = Steps::new(terms, stepped.root, logarithm(unit.to_f64()), largest_single);
     let top = if is_constant {
         top(geometry, |a| steps.sum.at(a.powf(steps.root.recip())).value)
     } else {
@@ -94,9 +93,7 @@ fn unit(load_integral: &PowerSum) -> Rational {
     let constants: Option<Vec<_>> = load_integral.summands.iter().map(Summand::constant).collect();
     let last = constants.and_then(|constants| constants.last().copied()).zip(load_integral.summands.last());
     let highest = last.map(|(constant, summand)| constant * &summand.exponent);
-    let is_near_one = |highest: &Rational| {
-        highest.to_f64().is_some_and(|highest| 2.0 * logarithm(highest).abs() < LARGEST_DOUBLE)
-    };
+    let is_near_one = |highest: &Rational| 2.0 * logarithm(highest.to_f64()).abs() < LARGEST_DOUBLE;
     highest.filter(is_near_one).unwrap_or_else(Rational::one)
 }
 

@@ -13,8 +13,6 @@
 
 use core::ops::Range as Indices;
 
-use num_traits::ToPrimitive;
-
 use crate::gap::Gap;
 use crate::gap::range::Range;
 use crate::geometry::Geometry;
@@ -99,7 +97,7 @@ impl<R: Bytes> Table<R> {
 pub(crate) fn top(geometry: &Geometry, load_integral: impl Fn(f64) -> f64) -> Option<i32> {
     let octave = |a: f64| load_integral(a).log2().floor();
     let end = match &geometry.range {
-        Range::Limited(end) => octave(end.to_f64()?) + 1.0,
+        Range::Limited(end) => octave(end.to_f64()) + 1.0,
         Range::Unbounded | Range::Symbolic(_) => f64::INFINITY,
     };
     let flattest = octave(radius_of_slope(&geometry.gap, FLATTEST)?);
@@ -113,7 +111,7 @@ pub(crate) fn top(geometry: &Geometry, load_integral: impl Fn(f64) -> f64) -> Op
 /// enough.
 fn radius_of_slope(gap: &Gap, slope: f64) -> Option<f64> {
     let alone = gap.terms.iter().filter_map(|term| {
-        let (c, n) = (term.coefficient.as_constant()?.to_f64()?, term.exponent.to_f64()?);
+        let (c, n) = (term.coefficient.as_constant()?.to_f64(), term.exponent.to_f64());
         (c > 0.0 && n > 1.0).then(|| (slope / c).powf(1.0 / (n - 1.0)))
     });
     alone.reduce(f64::min)

@@ -42,7 +42,7 @@ fn error(forms: &ClosedForms, radius: f64, y: f64) -> f64 {
         let share = Float::of(&j.abs()).unwrap().times(inverse).times(power).fixed();
         let share = if j.is_negative() { -share } else { share };
         surplus += share;
-        slope += num_traits::ToPrimitive::to_f64(p).unwrap() * share as f64;
+        slope += p.to_f64() * share as f64;
     }
     surplus as f64 / slope
 }

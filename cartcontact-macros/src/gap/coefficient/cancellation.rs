@@ -6,8 +6,6 @@
 //!
 //! In c b³/(7 d³) eight roundings may add up. They are the same in all radii of a geometry, as those of its fields are.
 
-use num_traits::ToPrimitive;
-
 use super::{Atom, Coefficient, Product};
 use crate::number::{self, Rational};
 
@@ -18,7 +16,7 @@ const OPERATIONS: f64 = 3.0;
 impl Coefficient {
     /// Whether words are too short to compute it in, as the coefficient of r^`n`.
     pub(crate) fn loses_digits(&self, n: &Rational) -> bool {
-        self.may_cancel() || n.to_f64().is_none_or(|n| self.operations() > n + OPERATIONS)
+        self.may_cancel() || self.operations() > n.to_f64() + OPERATIONS
     }
 
     /// The most operations whose roundings add up, powers as products; a division without a dividend is none.
@@ -52,7 +50,7 @@ impl Product {
                 Atom::Field { .. } => 0.0,
                 Atom::Sum(inner) => inner.operations(),
             };
-            exponent.to_f64().map_or(f64::INFINITY, f64::abs) * (of_base + 1.0)
+            exponent.to_f64().abs() * (of_base + 1.0)
         });
         let of_number = if number::is_power_of_two(&self.number) { 0.0 } else { 2.0 };
         of_powers.sum::<f64>() + of_number - 1.0
