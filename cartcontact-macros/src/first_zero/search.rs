@@ -27,7 +27,6 @@
 use core::cmp::Ordering;
 
 use num_bigint::BigInt;
-use num_traits::Zero;
 
 use crate::first_zero::TooIntricate;
 use crate::first_zero::bernstein::{Bernstein, SignChanges};
@@ -47,8 +46,6 @@ const MAXIMUM_DIGITS: u64 = 1 << 15;
 
 /// Digits that the piece around a cluster has beyond its own needs, as the next piece is likely to be taken from it.
 const SURPLUS: u64 = 128;
-/// Digits of the value at an end, beyond those that leave its sign open.
-const MORE_DIGITS: u64 = 512;
 /// Digits that the shortest number of an interval keeps when the interval is divided.
 const KEPT_DIGITS: u64 = 64;
 
@@ -102,8 +99,7 @@ impl<'a> Search<'a> {
         let mut ahead =
             vec![self.candidate(Part::whole(), Source::whole(self.whole), self.few_digits(), missed)];
         while let Some(mut front) = ahead.pop() {
-            let (start, changes) =
-                front.local.sign_changes(&|end| self.sign_at(&front.part, end, front.digits));
+            let (start, changes) = front.local.sign_changes(&|end| self.whole.sign_at(&front.part, end));
             match changes {
                 _ if start == Some(Ordering::Equal) => {
                     return Ok(Some(self.at_start(&front.part)));
@@ -126,16 +122,6 @@ impl<'a> Search<'a> {
             }
         }
         Ok(None)
-    }
-
-    /// The sign at the lower end (0) or the upper end (1) of a part, for which `digits` are not enough: with more
-    /// digits, and with all of them if these leave it open.
-    fn sign_at(&self, part: &Part, end: u32, digits: u64) -> Ordering {
-        let point = part.within(&end.into(), 0, 0);
-        match self.whole.value(&point, digits + MORE_DIGITS) {
-            Some(value) => value.cmp(&BigInt::zero()),
-            None => self.whole.sign_at(part, end),
-        }
     }
 
     /// The digits for an interval without clusters: those of the longest coefficient, and those that are lost where
@@ -162,7 +148,7 @@ impl<'a> Search<'a> {
         let (digits, (last, before)) = (candidate.digits, candidate.before);
         let rate = before.saturating_sub(uncertain) as u64;
         let missing = (uncertain as u64 * digits.saturating_sub(last)).checked_div(rate).unwrap_or(0);
-        let enough = (digits + missing + 16).min(4 * digits).max(self.more(digits));
+        let enough = (digits + missing + 16).min(4 * digits).max(digits + self.few_digits().max(digits / 2));
         let at_ends = [0, 1].into_iter().filter(|end| !candidate.local.knows_end(*end));
         let at_ends = at_ends.filter_map(|end| self.digits_at(&candidate.part, end, 8 * digits)).max();
         let mut next = self.with_digits(candidate, enough.max(at_ends.unwrap_or(0)))?;
@@ -184,10 +170,6 @@ impl<'a> Search<'a> {
         let Candidate { part, source, missed, .. } = candidate;
         source.grow(digits);
         Ok(self.candidate(part, source, digits, missed))
-    }
-
-    fn more(&self, digits: u64) -> u64 {
-        digits + self.few_digits().max(digits / 2)
     }
 
     /// A small interval around all roots of the front, if it keeps the sign changes.
@@ -231,7 +213,7 @@ impl<'a> Search<'a> {
         let digits = (needed + SURPLUS.max(smaller)).min(front.source.digits());
         let powers = front.source.powers_over(&part, digits);
         let local = Bernstein::new(&powers, false);
-        let (start, changes) = local.sign_changes(&|end| self.sign_at(&part, end, digits));
+        let (start, changes) = local.sign_changes(&|end| self.whole.sign_at(&part, end));
         let has_all = start != Some(Ordering::Equal) && changes.least == count;
         has_all.then(|| Candidate::new(part, front.source.clone(), (powers, local), digits, front.missed))
     }
