@@ -257,6 +257,15 @@ mod tests {
         }
     }
 
+    /// Modulo a prime that divides a leading coefficient, a divisor may have too low a degree.
+    #[test]
+    fn primes_of_leading_coefficients_are_left_out() {
+        let first = BigInt::from(prime_after(FIRST_PRIME_ABOVE));
+        let square = IntegerPolynomial::new(vec![BigInt::one(), &first * 2, &first * &first]);
+        let shared = IntegerPolynomial::new(vec![BigInt::one(), first]);
+        assert_eq!(common_divisor(&shared, &square), shared);
+    }
+
     #[test]
     fn primes_are_found_by_the_test() {
         let by_division = |n: u64| (2..).take_while(|d| d * d <= n).all(|d| !n.is_multiple_of(d));

@@ -68,6 +68,7 @@ fn what_would_take_long_is_refused() {
             "at most 256 terms",
         ),
         ("a power of 3 numbers", "(r + r^2 + r^3)^4000".to_owned(), "too many terms"),
+        ("257 terms", sum(2..259, '+'), "a gap may have at most 256 terms"),
         ("a power of long numbers", format!("(1.{}*r + r^2)^127", "1".repeat(40)), "too large"),
         ("a high power of four decimals", "r^2 - 1e-9 * r^64.3333".to_owned(), "a common fraction"),
     ] {

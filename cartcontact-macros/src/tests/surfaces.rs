@@ -282,6 +282,7 @@ fn mended(text: &str, message: &str) -> Option<String> {
 fn remedies_work() {
     for (text, remedy) in [
         ("sphere(10) - 0.0002*r^4, order = 4", "add `max_radius = 9.999999`, as the series"),
+        ("conic(10, -1) - 0.0002*r^4, order = 4", "add `max_radius = 13.69306`"),
         ("upper = sphere(10), lower = -conic(20, 10), order = 4", "write `max_radius = 4.52`, for example"),
         ("conic(15, -0.5) - conic(16.5, 4), order = 4", "`, for example"),
         ("sphere(10) - 0.0002*r^4, order = 4, max_radius = 23", "below r = 10, where"),
@@ -362,7 +363,14 @@ fn each_fault_of_a_surface_is_named() {
             "sphere(10) + 1e-9 * r^2.3547, order = 4, max_radius = 8, tolerance = 1e-9",
             "what order 4 neglects cannot be compared with a tolerance beside these exponents; lower the order",
         ),
+        (
+            "sphere(10) + 0.01 * r^2.351, order = auto, max_radius = 5, tolerance = 0.1",
+            "what order 2 neglects cannot be compared with a tolerance beside these exponents; round the exponents",
+        ),
         ("sphere(10) - sphere(9) + 0.01*r^2, order = 2, max_radius = 8.9", "as large as the gap itself"),
+        ("sphere(10) + 1/r, order = 4, max_radius = 5, tolerance = 1e-3", "a gap that opens at r = 0"),
+        ("sphere(0.0034) + r^128, order = 128", "order 128 has coefficients beyond the range"),
+        ("sphere(0.001), order = auto, max_radius = 0.002, tolerance = 1e-3", "must lie below r = 0.001"),
     ] {
         let messages = on_unit(text).err().unwrap();
         assert!(
