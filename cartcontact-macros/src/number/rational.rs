@@ -138,6 +138,11 @@ impl ToPrimitive for Rational {
     fn to_u64(&self) -> Option<u64> {
         (&self.numerator / &self.denominator).to_u64()
     }
+
+    // The default would be the integer part.
+    fn to_f64(&self) -> Option<f64> {
+        Some(Rational::to_f64(self))
+    }
 }
 
 impl Zero for Rational {
