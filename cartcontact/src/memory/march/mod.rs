@@ -266,15 +266,16 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         }
         let exact_surplus = self.surplus_at(high, gain);
         let surplus = surplus_that_counts(exact_surplus, forces.1);
-        let (is_left_out, is_straight) = (surplus != exact_surplus, course.is_straight());
         let low = self.low();
         let stretch = Stretch { contact, course, low, high, surplus, is_whole: is_covered };
         let (mut increment, is_over_time) = stretch.increment();
         if is_covered {
+            let is_left_out = surplus != exact_surplus;
             let (kept, sizes) = fading.kept_of(forces);
-            let laid = kept - self.settle_strips(is_over_time || is_left_out, surplus, fading);
+            let of_strips = self.settle_strips(is_over_time || is_left_out, surplus, fading);
+            let laid = kept - of_strips;
             let load = laid * contact.integral_per_load();
-            let scaled = if !is_straight {
+            let scaled = if !course.is_straight() {
                 increment.scaled_if_resolved(load, low)
             } else if is_well_conditioned(kept, sizes) || is_left_out && !is_over_time {
                 increment.scaled_to_load(load, low)
