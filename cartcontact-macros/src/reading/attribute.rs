@@ -206,7 +206,13 @@ impl Attribute {
         }
         let meant = literal::across_comma(&whole, &decimals);
         let meant: Vec<String> = meant.iter().map(|text| literal::as_product(text)).collect();
-        Some(format!("a decimal is written with a point, not a comma; write `{}`", meant.join("` or `")))
+        let mut message =
+            format!("a decimal is written with a point, not a comma; write `{}`", meant.join("` or `"));
+        // `r^2, 6` may be meant as a range; as a decimal it is another gap, which compiles.
+        if option.is_none() && is_exponent && entry.tokens.len() == 1 {
+            message += "; a largest contact radius has a name, as in `max_radius = 6.0`";
+        }
+        Some(message)
     }
 
     /// What to say about a gap with a name: `gap(r) = r^2`, `gap: r^2`, `r => r^2`, `r -> r^2`, `|r| r^2`.

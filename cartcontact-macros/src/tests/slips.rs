@@ -8,6 +8,7 @@ fn likely_slips_are_understood() {
         ("r^2 max_radius = 6", "a comma is missing before `max_radius`"),
         ("0,025*r^2", "write `0.025`"),
         ("r^2,5", "write `2.5`"),
+        ("r^2, 6", "write `2.6`; a largest contact radius has a name, as in `max_radius = 6.0`"),
         ("r^2,5 + r^4", "write `2.5`"),
         ("0,025r^2", "write `0.025 * r`"),
         ("gap = r^2", "remove `gap =`"),
