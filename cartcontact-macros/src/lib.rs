@@ -44,11 +44,10 @@ use quote::quote;
 use crate::diagnostics::Diagnostics;
 use crate::reading::{attribute, item};
 
-/// Turns a struct into a gap profile: `#[gap_profile(0.025 * r^2, max_radius = 6.0)] struct Knee;`.
-///
-/// The crate `cartcontact` describes the language and what is generated. Besides the solver these are constants of the
-/// type, `TERMS`, `MAX_RADIUS` and, for surfaces, `TRUNCATION_ERROR`, or the method `terms` where the gap depends on
-/// fields: the struct cannot have constants or methods of its own by these names.
+#[expect(
+    missing_docs,
+    reason = "they would be appended to the description where the crate `cartcontact` exports it"
+)]
 #[proc_macro_attribute]
 pub fn gap_profile(
     attribute: proc_macro::TokenStream,

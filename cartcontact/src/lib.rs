@@ -50,14 +50,15 @@
 //!
 //! Layers that are thin (a ≫ h) and isotropic on rigid bones, small strains, small slopes of the surfaces over the
 //! contact, no friction, axial symmetry, times that are short compared with the diffusion of fluid through a layer's
-//! thickness, and loads that do not fall faster than e^(−χ t), so that the contact never shrinks. At t = 0⁺ a biphasic layer responds like an incompressible elastic one.
-//! Compared with the exact solution for that (a paraboloid on one bonded layer), at loads for which the model gives a/h
-//! = 4, 8, 16 and 32, the radius is 48, 21, 10 and 5 % too large, the approach 30, 9, 2.5 and 0.7 % too large, and the
-//! peak pressure 29, 10, 3 and 0.7 % too small. To judge a result, compare [`Snapshot::radius`] with the thickness h,
-//! and the time with [`Layer::diffusion_time`]; of two different layers take the thicker one, and the shorter time.
-//! Where a ball of radius R in a socket hardly wider has a contact of 0.7 R, the slopes make the radius 2 % and the
-//! approach 6 % too large if the gap is expanded from `sphere`; with the paraboloid alone the radius is 11 % too large,
-//! approach and peak pressure are 10 % too small.
+//! thickness, and loads that do not fall faster than e^(−χ t), so that the contact never shrinks. At t = 0⁺ a
+//! biphasic layer responds like an incompressible elastic one. Compared with the exact solution for that (a
+//! paraboloid on one bonded layer), at loads for which the model gives a/h = 4, 8, 16 and 32, the radius is 48, 21,
+//! 10 and 5 % too large, the approach 30, 9, 2.5 and 0.7 % too large, and the peak pressure 29, 10, 3 and 0.7 % too
+//! small. To judge a result, compare [`Snapshot::radius`] with the thickness h, and the time with
+//! [`Layer::diffusion_time`]; of two different layers take the thicker one, and the shorter time. Where a ball of
+//! radius R in a socket hardly wider has a contact of 0.7 R, the slopes make the radius 2 % and the approach 6 % too
+//! large if the gap is expanded from `sphere`; with the paraboloid alone the radius is 11 % too large, approach and
+//! peak pressure are 10 % too small.
 //!
 //! # Numbers
 //!

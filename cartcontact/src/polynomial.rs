@@ -27,10 +27,10 @@ use crate::scalar::{floor, is_plain_zero};
 /// It agrees with the generated solver of the same geometry and has its accuracy; generated solvers are quicker.
 /// Exponents are real and above 0, in any order.
 ///
-/// A gap that was measured as points is fitted with a constant term, which is then left out: it is the distance of the
-/// bones, and a gap begins with zero. To subtract the point on the axis instead would add its noise to all others.
-/// Noise may make the coefficient of the lowest power negative, which is refused as a gap that does not open; fit
-/// without it then.
+/// A gap that was measured as points is fitted with a constant term, which is then left out: it tells how far apart the
+/// surfaces were measured, and a gap begins with zero. To subtract the point on the axis instead would add its noise to
+/// all others. Noise may make the coefficient of the lowest power negative, which is refused as a gap that does not
+/// open; fit without it then.
 ///
 /// # Examples
 ///
