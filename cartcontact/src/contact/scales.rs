@@ -99,6 +99,27 @@ mod tests {
         }
     }
 
+    /// 4 χ/(π m) leaves the format at either end. Its fraction is below 1 or above 2.
+    #[test]
+    fn no_quotient_of_the_constants_loses_digits() {
+        fn check<T: Scalar>(octaves: i32) {
+            for constants in [[1.9, 1.01], [1.9, 1.03], [1.0, 3.8]] {
+                let [m, chi] = constants.map(T::constant);
+                let load_integral = |unit: T| {
+                    let medium = Medium::from_constants(m / unit, chi * unit).ok()?;
+                    let loading = Loading { force: T::zero(), impulse: unit.recip(), hereditary: chi };
+                    Some(Scales::of(&medium).load_integral(loading) / unit)
+                };
+                for octave in -octaves..octaves {
+                    let unit = T::constant(2f64.powi(octave));
+                    assert_eq!(load_integral(unit), load_integral(T::one()), "{constants:?}, 2^{octave}");
+                }
+            }
+        }
+        check::<f64>(1000);
+        check::<f32>(115);
+    }
+
     /// The quotient χ/m is subnormal in one of the two systems of units.
     #[test]
     fn other_units_change_no_digit() {
