@@ -73,6 +73,12 @@ fn the_edge_carries_nothing() -> Result<(), ContactError> {
                 assert_eq!(value == 0.0, now.radius() <= radius, "{force} N, {t} s: {value:e}");
             }
         }
+        // Nor does that of a row which no other is before.
+        for t in times {
+            let mut value = [f64::NAN];
+            contact.pressure_field(&[t], &[contact.at(t)?.radius()], &mut value)?;
+            assert_eq!(value, [0.0], "{force} N, {t} s");
+        }
     }
     Ok(())
 }
