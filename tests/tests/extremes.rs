@@ -195,3 +195,27 @@ fn slopes_need_not_be_in_range() -> Result<(), Box<dyn core::error::Error>> {
     }));
     Ok(())
 }
+
+/// One number in each scene is infinite or has lost digits, and none of the others that are looked at is or has.
+#[test]
+fn any_number_that_loses_digits_is_noticed() -> Result<(), Box<dyn core::error::Error>> {
+    for (name, [m, chi], term, force) in [
+        ("F", [1e-20, 0.0], (1e-229, 2.0), 1e-310),
+        ("chi F", [1e-20, 1e-10], (1e-290, 2.0), 1e-300),
+        ("J", [1e-200, 0.0], (1.0, 2.0), 1e200),
+        ("a^4", [1.0, 0.0], (1e200, 0.25), 1.2e-135),
+        ("the slope of the approach", [1.0, 0.0], (1e-300, 0.25), 2e-217),
+        ("a J'", [1e-10, 0.0], (1.0, 2.0), 3.9e297),
+        ("F/a^4", [1e-200, 0.0], (1.2e-149, 2.0), 1e-230),
+        // Common forces and load integrals, which are not looked at one by one.
+        ("a large radius", [1.0, 0.0], (1e-300, 0.25), 1e45),
+        ("a small radius", [1.0, 0.0], (1e300, 0.25), 1e-45),
+    ] {
+        let contact =
+            Contact::new(Polynomial::new([term])?, Medium::from_constants(m, chi)?, Constant(force))?;
+        let (alone, many) = (contact.at(0.0).map(drop), contact.radii(&[0.0; 2], &mut [0.0; 2]));
+        assert!(matches!(alone, Err(ContactError::Unrepresentable { .. })), "{name}: {alone:?}");
+        assert_eq!(many, alone, "{name}");
+    }
+    Ok(())
+}
