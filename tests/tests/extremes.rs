@@ -1,9 +1,10 @@
 //! Scenes at the ends of a format or of time, with the results that they have all the same.
 
 use cartcontact::load::{Constant, PiecewiseLinear};
-use cartcontact::{Contact, ContactError, GapProfile, Medium, Polynomial, Scalar, gap_profile};
+use cartcontact::{Contact, ContactError, GapProfile, Medium, Polynomial, ProfileError, Scalar, gap_profile};
 use tests::budget;
 use tests::joint::joint;
+use tests::measure::relative_error;
 
 /// r⁶⁴ is out of range at the contact radius in either format, and so is the power r⁶⁸ of J.
 #[test]
@@ -102,6 +103,21 @@ fn a_coefficient_of_zero_is_no_term() -> Result<(), Box<dyn core::error::Error>>
         assert_eq!(alone.radius(), beside.radius());
         assert_eq!(alone.approach(), beside.approach());
         assert_eq!(alone.peak_pressure(), beside.peak_pressure());
+    }
+    Ok(())
+}
+
+/// The sign bit of −0 would make its logarithm the largest.
+#[test]
+fn a_coefficient_of_minus_zero_is_no_term() -> Result<(), ProfileError> {
+    for (c, n) in [(0.025, 2.0), (1e-30, 12.0), (7e133, 9.0)] {
+        let (alone, beside) = (Polynomial::new([(c, n)])?, Polynomial::new([(c, n), (-0.0, 3.0)])?);
+        for exponent in (-200..200).step_by(5) {
+            let load_integral = 10f64.powi(exponent);
+            let radius = |gap: &dyn GapProfile<f64>| gap.radius(load_integral).unwrap_or(f64::NAN);
+            let error = relative_error(radius(&beside), radius(&alone), f64::EPSILON);
+            assert!(error <= 2.0 * budget::RADIUS_OF_SUMS.double, "{c:e}, {load_integral:e}: {error} ε");
+        }
     }
     Ok(())
 }
