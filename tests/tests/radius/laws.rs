@@ -226,10 +226,18 @@ struct BoundedPolynomials;
 #[gap_profile(0.05 * r^2 - 1e-4 * r^4, max_radius = 6)]
 struct BoundedSteps;
 
-/// Whether the rows of the table hold polynomials or seeds.
+#[gap_profile(c * r^2 + d * r^3 + e * r^5, max_radius = 6)]
+struct BoundedFields {
+    c: f64,
+    d: f64,
+    e: f64,
+}
+
+/// Whether the rows of the table hold polynomials or seeds, or there is no table.
 #[test]
 fn slices_end_with_the_range() {
-    for profile in [&BoundedPolynomials as &dyn GapProfile<f64>, &BoundedSteps] {
+    let fields = BoundedFields { c: 0.05, d: 1e-3, e: 1e-5 };
+    for profile in [&BoundedPolynomials as &dyn GapProfile<f64>, &BoundedSteps, &fields] {
         let end = profile.load_integral(6.0);
         let mut load_integrals: Vec<f64> = (0..500).map(|k| end * 0.97_f64.powi(k)).collect();
         assert_same_one_by_one(&profile, &load_integrals, &end);
@@ -237,6 +245,27 @@ fn slices_end_with_the_range() {
         let refused = profile.radii(&load_integrals, &mut vec![f64::NAN; load_integrals.len()]);
         assert!(refused.is_err());
         assert_eq!(refused, profile.radius(1.001 * end).map(drop));
+    }
+}
+
+/// The first row of a table begins with a border between rows, and the last one ends with another.
+#[test]
+fn slices_have_the_radii_of_single_ones_at_the_ends_of_tables() {
+    for case in cases() {
+        for quarter in -1200..1200_i32 {
+            let (octave, digits) = (quarter.div_euclid(4), f64::from(quarter.rem_euclid(4)));
+            let border = 2f64.powi(octave) * (1.0 + digits / 4.0);
+            let mut radii = [f64::NAN; 16];
+            if let Ok(radius) = case.double.radius(border) {
+                assert_eq!(case.double.radii(&[border; 16], &mut radii), Ok(()), "{case:?}, {border:e}");
+                assert_eq!(radii, [radius; 16], "{case:?}, {border:e}");
+            }
+            let (border, mut radii) = (border as f32, [f32::NAN; 16]);
+            if let Ok(radius) = case.single.radius(border) {
+                assert_eq!(case.single.radii(&[border; 16], &mut radii), Ok(()), "{case:?}, {border:e}");
+                assert_eq!(radii, [radius; 16], "{case:?}, {border:e}");
+            }
+        }
     }
 }
 
