@@ -1,6 +1,6 @@
 //! Laws that relate the functions of a geometry to each other, and generated solvers to polynomials.
 
-use cartcontact::{GapProfile, gap_profile};
+use cartcontact::{GapProfile, Polynomial, ProfileError, gap_profile};
 use proptest::prelude::*;
 use tests::budget;
 use tests::condition::degree;
@@ -176,6 +176,18 @@ fn pressure_kernel_is_a_number_where_the_power_in_it_is_none() {
     let (a, r) = (86328.82540994423, 86328.82540901842);
     errors.add(Steep.pressure_kernel(a, r), kernel("63.9", a, r), 1.0, &(a, r));
     errors.check();
+}
+
+/// C aⁿ⁺² is out of range, but n times that is not.
+#[test]
+fn quick_kernels_of_tiny_exponents_are_numbers() -> Result<(), ProfileError> {
+    let (a, profile) = (3e160, Polynomial::new([(1e-10, 1e-3)])?);
+    for r in [0.0, 0.5 * a, 0.999 * a] {
+        let (quick, precise) = (profile.quick_pressure_kernel(a, r), profile.pressure_kernel(a, r));
+        let error = relative_error(quick, precise, f64::EPSILON);
+        assert!(error <= 2.0 * budget::PRESSURE_KERNEL.double, "{r:e}: {quick:e} instead of {precise:e}");
+    }
+    Ok(())
 }
 
 #[gap_profile(0.286 * r^64)]
