@@ -6,7 +6,7 @@ use proptest::prelude::*;
 use tests::budget;
 use tests::condition::degree;
 use tests::measure::{relative_error, ulps};
-use tests::profiles::{case, cases};
+use tests::profiles::{Case, case, cases};
 use tests::random::{self, failure, magnitude, positive_sums};
 
 use super::checks::{assert_same_one_by_one, in_single};
@@ -248,23 +248,25 @@ fn slices_end_with_the_range() {
     }
 }
 
+/// A load integral at which a row of a table may begin.
+fn border(quarter: i32) -> f64 {
+    2f64.powi(quarter.div_euclid(4)) * (1.0 + f64::from(quarter.rem_euclid(4)) / 4.0)
+}
+
 /// The first row of a table begins with a border between rows, and the last one ends with another.
 #[test]
 fn slices_have_the_radii_of_single_ones_at_the_ends_of_tables() {
+    fn check<T: Scalar>(profile: &dyn GapProfile<T>, border: T, case: Case) {
+        let mut radii = [T::constant(f64::NAN); 16];
+        if let Ok(radius) = profile.radius(border) {
+            assert_eq!(profile.radii(&[border; 16], &mut radii), Ok(()), "{case:?}, {border}");
+            assert_eq!(radii, [radius; 16], "{case:?}, {border}");
+        }
+    }
     for case in cases() {
         for quarter in -1200..1200_i32 {
-            let (octave, digits) = (quarter.div_euclid(4), f64::from(quarter.rem_euclid(4)));
-            let border = 2f64.powi(octave) * (1.0 + digits / 4.0);
-            let mut radii = [f64::NAN; 16];
-            if let Ok(radius) = case.double.radius(border) {
-                assert_eq!(case.double.radii(&[border; 16], &mut radii), Ok(()), "{case:?}, {border:e}");
-                assert_eq!(radii, [radius; 16], "{case:?}, {border:e}");
-            }
-            let (border, mut radii) = (border as f32, [f32::NAN; 16]);
-            if let Ok(radius) = case.single.radius(border) {
-                assert_eq!(case.single.radii(&[border; 16], &mut radii), Ok(()), "{case:?}, {border:e}");
-                assert_eq!(radii, [radius; 16], "{case:?}, {border:e}");
-            }
+            check(case.double, border(quarter), case);
+            check(case.single, border(quarter) as f32, case);
         }
     }
 }
@@ -275,8 +277,7 @@ fn radii_are_continuous_from_row_to_row() {
     for case in cases() {
         let mut count = 0;
         for quarter in -400..400_i32 {
-            let (octave, digits) = (quarter.div_euclid(4), f64::from(quarter.rem_euclid(4)));
-            let above = 2f64.powi(octave) * (1.0 + digits / 4.0);
+            let above = border(quarter);
             let radius = |load_integral: f64| case.double.radius(load_integral);
             let (Ok(above), Ok(below)) = (radius(above), radius(above.next_down())) else { continue };
             let error = relative_error(above, below, f64::EPSILON);
