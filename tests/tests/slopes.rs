@@ -26,11 +26,14 @@ type Failure = Box<dyn core::error::Error>;
 fn errors(gap: &[(f64, f64)], a: f64) -> Result<[f64; 3], Failure> {
     let u = (1.0 - a * a).sqrt();
     let load = PI * (1.0 - u).powi(3) / (6.0 * (1.0 + u));
-    let slope = (1.0 - u) / (1.0 + u);
+    let approach = (1.0 - u) / (1.0 + u);
     let contact = Contact::new(Polynomial::new(gap)?, Medium::from_constants(1.0, 0.0)?, Constant(load))?;
     let model = contact.at(0.0)?;
-    let ratios =
-        [model.radius() / a, model.approach() / slope, model.peak_pressure() / (slope - LN_2 + u.ln_1p())];
+    let ratios = [
+        model.radius() / a,
+        model.approach() / approach,
+        model.peak_pressure() / (approach - LN_2 + u.ln_1p()),
+    ];
     Ok(ratios.map(|ratio| 100.0 * (ratio - 1.0)))
 }
 
