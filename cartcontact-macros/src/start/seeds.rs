@@ -63,8 +63,8 @@ pub(crate) fn seeds(geometry: &Geometry, stepped: &Stepped) -> Option<Seeds> {
     let is_constant = geometry.gap.is_constant();
     let load_integral = &stepped.load_integral;
     let factors: Vec<f64> = if is_constant {
-        let constants = load_integral.summands.iter().map(Summand::constant);
-        constants.map(|constant| Some(constant?.to_f64())).collect::<Option<_>>()?
+        let constants = load_integral.summands.iter().map(|summand| summand.constant().map(Rational::to_f64));
+        constants.collect::<Option<_>>()?
     } else {
         own_units::factors(&geometry.gap, load_integral)?
     };
