@@ -47,7 +47,7 @@ fn main() -> ExitCode {
 fn run() -> Result<(), Box<dyn Error>> {
     let contact = Contact::new(Patellofemoral, Medium::between(LAYER, LAYER)?, load::Constant(FORCE))?;
     let mut out = io::stdout().lock();
-    writeln!(out, " times x radii   field, ms   filling, ms   ratio")?;
+    writeln!(out, " times × radii   field, ms   filling, ms   ratio")?;
     let mut panels = Vec::new();
     for series in all_series() {
         let times = series.measure(&contact, &mut out)?;
@@ -82,7 +82,7 @@ impl Series {
         let mut all = Vec::new();
         for &(times, radii) in &self.sizes {
             let [field, filling] = milliseconds(contact, times, radii)?;
-            writeln!(out, "{times:6} x {radii:<5} {field:11.4} {filling:13.4} {:7.2}", field / filling)?;
+            writeln!(out, "{times:6} × {radii:<5} {field:11.4} {filling:13.4} {:7.2}", field / filling)?;
             all.push([field, filling]);
         }
         Ok(all)

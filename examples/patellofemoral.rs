@@ -5,7 +5,7 @@
 //! ```
 //!
 //! A ball of radius 10 mm in a socket of 20 mm is described by two gap profiles, to second and to fourth order. The
-//! example shows how much the fourth order matters, with the rate chi of drainage as it follows from the layers'
+//! example shows how much the fourth order matters, with the rate χ of drainage as it follows from the layers'
 //! displacements and as the paper prints it. The figure of pressures uses only the former; the README shows a copy of
 //! it, `figures/pressure.svg`.
 //!
@@ -90,17 +90,17 @@ fn state(
 fn write_setting(out: &mut impl Write, consistent: Medium<f64>, printed: Medium<f64>) -> io::Result<()> {
     let Layer { thickness, shear_modulus, permeability } = LAYER;
     writeln!(out, "Patellofemoral joint, {FORCE} N held for {LAST_TIME} s\n")?;
-    writeln!(out, "gap (4)   0.025 r^2                    ball in socket to second order")?;
-    writeln!(out, "gap (29)  0.025 r^2 + 1.09375e-4 r^4   ball in socket to fourth order")?;
+    writeln!(out, "gap (4)   0.025 r²                   ball in socket to second order")?;
+    writeln!(out, "gap (29)  0.025 r² + 1.09375e-4 r⁴   ball in socket to fourth order")?;
     writeln!(out, "layers    two, each {thickness} mm thick, shear modulus {shear_modulus} MPa,")?;
-    writeln!(out, "          permeability {permeability} mm^4/(N s)")?;
-    writeln!(out, "chi       {:.4}/s from the layers' displacements (consistent),", consistent.chi())?;
+    writeln!(out, "          permeability {permeability} mm⁴/(N s)")?;
+    writeln!(out, "χ         {:.4}/s from the layers' displacements (consistent),", consistent.chi())?;
     writeln!(out, "          {:.4}/s as the paper prints it\n", printed.chi())
 }
 
 fn write_states(out: &mut impl Write, media: [Medium<f64>; 2]) -> Result<(), Box<dyn Error>> {
     writeln!(out, "                    radius (mm)       approach (mm)    peak pressure (MPa)")?;
-    writeln!(out, "chi (1/s)  t (s)  gap (4) gap (29)  gap (4) gap (29)   gap (4) gap (29)")?;
+    writeln!(out, "  χ (1/s)  t (s)  gap (4) gap (29)  gap (4) gap (29)   gap (4) gap (29)")?;
     for medium in media {
         for time in TIMES {
             let second = state(SecondOrder, medium, FORCE, time)?;
@@ -126,11 +126,11 @@ fn write_differences(
     printed: Medium<f64>,
 ) -> Result<(), Box<dyn Error>> {
     let reduced_force = FORCE / TAU;
-    let reduced = format!("{FORCE}/(2 pi) N = {reduced_force:.1} N, chi as printed");
+    let reduced = format!("{FORCE}/(2π) N = {reduced_force:.1} N, χ as printed");
     let rows = [
         ("quoted in the paper".to_owned(), [2.3, 3.3, 4.6]),
-        (format!("{FORCE} N, chi as printed"), differences(printed, FORCE)?),
-        (format!("{FORCE} N, chi consistent"), differences(consistent, FORCE)?),
+        (format!("{FORCE} N, χ as printed"), differences(printed, FORCE)?),
+        (format!("{FORCE} N, χ consistent"), differences(consistent, FORCE)?),
         (reduced, differences(printed, reduced_force)?),
     ];
     writeln!(out, "\nDifference between the gaps at {LAST_TIME} s, relative to gap (29)\n")?;
@@ -139,7 +139,7 @@ fn write_differences(
         writeln!(out, "{name:40} {radius:>5.1} % {peak_pressure:>12.1} % {approach:>7.1} %")?;
     }
     writeln!(out, "\nThe parameters that the paper states do not give the differences that it quotes.")?;
-    writeln!(out, "A load smaller by the factor 2 pi does, to within 0.2 points, so its curves seem")?;
+    writeln!(out, "A load smaller by the factor 2π does, to within 0.2 points, so its curves seem")?;
     writeln!(out, "to be for that load. The table and the figures here are for {FORCE} N.")?;
     Ok(())
 }
