@@ -104,7 +104,7 @@ const LINES: &[Line] = &[
     ("load integral, rounded once, over plain arithmetic by hand, latency", None, "evaluators f64/latency/load integral", "evaluators f64/latency/load integral, by hand"),
     ("pressure kernel, rounded once, over plain arithmetic by hand", None, "evaluators f64/throughput/pressure kernel", "evaluators f64/throughput/pressure kernel, by hand"),
     ("pressure kernel, rounded once, over plain arithmetic by hand, latency", None, "evaluators f64/latency/pressure kernel", "evaluators f64/latency/pressure kernel, by hand"),
-    ("drainage: (chi = 0.0015/s) ÷ (chi = 0: no memory)", None, "skipping/drainage/chi = 0.0015/s", "skipping/drainage/chi = 0: no memory"),
+    ("drainage: (χ = 0.0015/s) ÷ (χ = 0: no memory)", None, "skipping/drainage/chi = 0.0015/s", "skipping/drainage/chi = 0: no memory"),
     ("even powers: (in r) ÷ (in the square of r)", None, "skipping/even powers/in r", "skipping/even powers/in the square of r"),
     ("faded history: (9900 s of knots, the last 800 s count) ÷ (900 s of knots, the last 800 s count)", None, "skipping/faded history/9900 s of knots, the last 800 s count", "skipping/faded history/900 s of knots, the last 800 s count"),
     ("memory: (t = 200 s) ÷ (t = 0: none)", None, "skipping/memory/t = 200 s", "skipping/memory/t = 0: none"),
