@@ -217,12 +217,12 @@ fn slopes_need_not_be_in_range() -> Result<(), Box<dyn core::error::Error>> {
 fn any_number_that_loses_digits_is_noticed() -> Result<(), Box<dyn core::error::Error>> {
     for (name, [m, chi], term, force) in [
         ("F", [1e-20, 0.0], (1e-229, 2.0), 1e-310),
-        ("chi F", [1e-20, 1e-10], (1e-290, 2.0), 1e-300),
+        ("χ F", [1e-20, 1e-10], (1e-290, 2.0), 1e-300),
         ("J", [1e-200, 0.0], (1.0, 2.0), 1e200),
-        ("a^4", [1.0, 0.0], (1e200, 0.25), 1.2e-135),
-        ("the slope of the approach", [1.0, 0.0], (1e-300, 0.25), 2e-217),
-        ("a J'", [1e-10, 0.0], (1.0, 2.0), 3.9e297),
-        ("F/a^4", [1e-200, 0.0], (1.2e-149, 2.0), 1e-230),
+        ("a⁴", [1.0, 0.0], (1e200, 0.25), 1.2e-135),
+        ("δ₀′", [1.0, 0.0], (1e-300, 0.25), 2e-217),
+        ("a J′", [1e-10, 0.0], (1.0, 2.0), 3.9e297),
+        ("F/a⁴", [1e-200, 0.0], (1.2e-149, 2.0), 1e-230),
         // Common forces and load integrals, which are not looked at one by one.
         ("a large radius", [1.0, 0.0], (1e-300, 0.25), 1e45),
         ("a small radius", [1.0, 0.0], (1e300, 0.25), 1e-45),

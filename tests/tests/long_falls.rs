@@ -67,7 +67,7 @@ where
         let error = ulps(now.pressure(r).into(), expected.into(), f64::from(f32::EPSILON));
         assert!(
             error <= allowed || r >= a,
-            "{load:?}, chi = {chi}, t = {t}, r = {r}: {error} of {allowed} ulp"
+            "{load:?}, χ = {chi}, t = {t}, r = {r}: {error} of {allowed} ulp"
         );
     }
     Ok(())
