@@ -3,7 +3,7 @@
 use cartcontact::load::{Constant, Load};
 use cartcontact::{Contact, ContactError, GapProfile, Scalar};
 use tests::joint::joint;
-use tests::loads::{CountingSearches, Rise, histories};
+use tests::loads::{CountingSearches, histories};
 use tests::profiles::{MixedSign, Oblate, Patellofemoral, RealPowers, SixTerm};
 
 const CHI: f64 = 0.0015;
@@ -43,19 +43,6 @@ fn a_history_is_searched_once_for_all_times() {
         let times: Vec<f64> = (0..6400).map(|k| f64::from(k) * 0.3).collect();
         assert_eq!(contact.radii(&times, &mut vec![0.0; times.len()]), Ok(()), "{name}");
         assert_eq!(load.searches(), 1, "{name}");
-    }
-}
-
-/// Also where the numbers are beyond the usual sizes, each of which is then looked at.
-#[test]
-fn a_history_is_searched_once_for_all_rows_of_a_field() {
-    for force in [100.0, 1e-200] {
-        let load = CountingSearches::new(Rise { start: force, rise: force, rate: 0.01 });
-        let contact = joint(Patellofemoral, CHI, &load);
-        let times: Vec<f64> = (0..64).map(|k| f64::from(k) * 3.0).collect();
-        assert_eq!(contact.pressure_field(&times, &[0.0], &mut vec![0.0; times.len()]), Ok(()), "{force}");
-        // Once more for the first time, which is asked for alone.
-        assert_eq!(load.searches(), 2, "{force}");
     }
 }
 

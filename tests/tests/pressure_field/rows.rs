@@ -99,11 +99,16 @@ fn pressures_at_the_edge_of_the_first_row_are_not_negative() -> Result<(), Conta
     Ok(())
 }
 
-/// Once for the first row, and once for all.
+/// Once for the first row, and once for all, also where numbers are beyond the usual sizes, each of which is then looked
+/// at.
 #[test]
 fn a_history_is_searched_twice_for_any_number_of_rows() -> Result<(), ContactError> {
     let times: Vec<f64> = (0..1000).map(|k| f64::from(k) * 0.1 / CHI).collect();
-    for (name, load) in histories(CHI) {
+    let histories = histories(CHI);
+    let rises = [100.0, 1e-200].map(|force| Rise { start: force, rise: force, rate: 0.01 });
+    let loads = histories.iter().map(|(name, load)| (*name, load as &dyn Load<f64>));
+    let rises = ["rise", "tiny rise"].into_iter().zip(rises.iter().map(|rise| rise as &dyn Load<f64>));
+    for (name, load) in loads.chain(rises) {
         let (load, radii) = (CountingSearches::new(load), grid(4));
         let contact = joint(Patellofemoral, CHI, &load);
         contact.pressure_field(&times, &radii, &mut vec![0.0; times.len() * radii.len()])?;
