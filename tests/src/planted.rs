@@ -21,11 +21,7 @@ pub fn stiffness<T: Scalar>(
 ///
 /// # Errors
 ///
-/// As [`Contact::new`].
-///
-/// # Panics
-///
-/// If no stiffness gives that radius.
+/// As [`Contact::new`], and if no stiffness gives that radius.
 pub fn contact<T: Scalar, P: GapProfile<T>, L: Load<T>>(
     profile: P,
     load: L,
@@ -33,6 +29,6 @@ pub fn contact<T: Scalar, P: GapProfile<T>, L: Load<T>>(
     a: T,
     t: T,
 ) -> Result<Contact<T, P, L>, ContactError> {
-    let medium = Medium::from_constants(stiffness(&profile, &load, chi, a, t), chi);
-    Contact::new(profile, medium.unwrap_or_else(|error| unreachable!("{error}")), load)
+    let medium = Medium::from_constants(stiffness(&profile, &load, chi, a, t), chi)?;
+    Contact::new(profile, medium, load)
 }

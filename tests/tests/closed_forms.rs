@@ -70,8 +70,7 @@ impl Problem {
         &self,
         profile: P,
     ) -> Result<Contact<f64, P, Constant<f64>>, ContactError> {
-        let medium = Medium::from_constants(self.m, self.chi);
-        Contact::new(profile, medium.unwrap_or_else(|e| unreachable!("{e}")), Constant(self.force))
+        Contact::new(profile, Medium::from_constants(self.m, self.chi)?, Constant(self.force))
     }
 
     /// Compares everything with a solver of the same geometry.

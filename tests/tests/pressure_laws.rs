@@ -133,8 +133,7 @@ fn nothing_has_drained_in_the_first_moments() -> Result<(), ContactError> {
 fn there_is_no_memory_without_drainage() -> Result<(), ContactError> {
     let load = through(&[(0.0, 10.0), (5.0, 100.0)]);
     for case in cases() {
-        let medium = Medium::from_constants(1e3, 0.0).unwrap_or_else(|e| unreachable!("{e}"));
-        let contact = Contact::new(case.double, medium, &load)?;
+        let contact = Contact::new(case.double, Medium::from_constants(1e3, 0.0)?, &load)?;
         let (now, later) = (contact.at(5.0)?, contact.at(1e9)?);
         assert_eq!((now.radius(), now.pressure(0.3)), (later.radius(), later.pressure(0.3)), "{case:?}");
         let undrained = 1e3 * case.double.pressure_kernel(now.radius(), 0.3);
@@ -239,9 +238,8 @@ fn time_is_measured_in_units_of_the_memory() -> Result<(), ContactError> {
     let mut errors = Errors::of(budget::PRESSURE);
     for case in cases() {
         for ((name, quick), (_, slow)) in histories(CHI).into_iter().zip(histories(CHI / 8.0)) {
-            let medium = |chi| Medium::from_constants(1e3, chi).unwrap_or_else(|e| unreachable!("{e}"));
-            let quick = Contact::new(case.double, medium(CHI), quick)?;
-            let slow = Contact::new(case.double, medium(CHI / 8.0), slow)?;
+            let quick = Contact::new(case.double, Medium::from_constants(1e3, CHI)?, quick)?;
+            let slow = Contact::new(case.double, Medium::from_constants(1e3, CHI / 8.0)?, slow)?;
             for time in [0.01, 0.1, 2.0, 5.0].map(|time| time / CHI) {
                 let (quick, slow) = (quick.at(time)?, slow.at(8.0 * time)?);
                 let error = relative_error(slow.radius(), quick.radius(), f64::EPSILON);

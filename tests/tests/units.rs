@@ -68,7 +68,7 @@ impl Problem {
 
     /// Radius, approach, and pressures on the axis and at some radii, at four times.
     fn results(&self, profile: &dyn GapProfile<f64>, units: Units) -> Result<Vec<f64>, ContactError> {
-        let medium = Medium::from_constants(self.m, self.chi).unwrap_or_else(|e| unreachable!("{e}"));
+        let medium = Medium::from_constants(self.m, self.chi)?;
         let load = PiecewiseLinear::new(self.knots)?;
         let contact = Contact::new(profile, medium, load)?;
         let pressure = units.force / (units.length * units.length);
