@@ -1,5 +1,8 @@
 //! The reference values in `reference/`: inputs in full, results to 25 digits.
 
+use cartcontact::{Contact, ContactError, GapProfile, Medium, Scalar};
+
+use crate::loads::through;
 use crate::measure::Exact;
 use crate::oracle::decimal;
 use crate::profiles::{Case, case};
@@ -66,6 +69,25 @@ pub struct ContactRow {
     pub pressure: Exact,
     /// P(0, t).
     pub peak_pressure: Exact,
+}
+
+impl ContactRow {
+    /// a(t), δ₀(t), P(r, t) and P(0, t) by a solver, from input in some format.
+    ///
+    /// # Panics
+    ///
+    /// If there is no such contact.
+    pub fn solved<T: Scalar>(&self, profile: &dyn GapProfile<T>, format: fn(f64) -> T) -> [f64; 4] {
+        let knots: Vec<(T, T)> = self.knots.iter().map(|&(t, force)| (format(t), format(force))).collect();
+        let solve = || {
+            let medium = Medium::from_constants(format(self.m), format(self.chi))?;
+            let contact = Contact::new(profile, medium, through(&knots))?;
+            let now = contact.at(format(self.t))?;
+            Ok([now.radius(), now.approach(), now.pressure(format(self.r)), now.peak_pressure()]
+                .map(T::value))
+        };
+        solve().unwrap_or_else(|error: ContactError| unreachable!("{self:?}: {error}"))
+    }
 }
 
 /// One row of `finite_element_history.csv`.

@@ -5,10 +5,9 @@ use cartcontact::{Contact, GapProfile, Medium, gap_profile};
 use tests::budget;
 use tests::condition;
 use tests::kernel::{self, Kernel};
-use tests::loads::through;
 use tests::measure::Errors;
 use tests::profiles::{Case, cases};
-use tests::reference::{self, ContactRow, SHIFT_OF_EDGE};
+use tests::reference::{self, SHIFT_OF_EDGE};
 
 /// The form of a geometry that is compared.
 type Form = fn(Case, &mut dyn FnMut(&dyn GapProfile<f64>));
@@ -63,7 +62,7 @@ fn contacts_are_those_of_the_reference() {
         for row in &rows {
             let place = (form, row.case, row.chi, &row.knots, row.t, row.r);
             visit(row.case, &mut |profile| {
-                let (a, delta, p, p0) = solved(profile, row);
+                let [a, delta, p, p0] = row.solved(profile, |x| x);
                 let exact = row.radius.nearest;
                 let condition = condition::of_radius(row.case.double, &row.case.of_sizes(), exact);
                 let degree = condition::degree_of_approach(row.case.double, exact);
@@ -78,17 +77,6 @@ fn contacts_are_those_of_the_reference() {
     approach.check_worst();
     pressure.check();
     peak.check();
-}
-
-/// a, δ₀, P(r) and P(0) of a row.
-fn solved(profile: &dyn GapProfile<f64>, row: &ContactRow) -> (f64, f64, f64, f64) {
-    let solve = || {
-        let medium = Medium::from_constants(row.m, row.chi)?;
-        let contact = Contact::new(profile, medium, through(&row.knots))?;
-        let now = contact.at(row.t)?;
-        Ok((now.radius(), now.approach(), now.pressure(row.r), now.peak_pressure()))
-    };
-    solve().unwrap_or_else(|error: Box<dyn core::error::Error>| unreachable!("{row:?}: {error}"))
 }
 
 /// The gap of the finite-element run.

@@ -13,7 +13,7 @@ use tests::measure::Errors;
 use tests::oracle::{Profile, double};
 use tests::profiles::{Case, DECIMALS, Decimals, Paraboloid};
 use tests::random::Stream;
-use tests::reference::{self, ContactRow};
+use tests::reference;
 
 /// The numbers that single precision holds with all their digits.
 const NORMAL: core::ops::Range<f64> = f32::MIN_POSITIVE as f64..f32::MAX as f64;
@@ -148,8 +148,8 @@ fn contacts_in_single_precision_agree_with_double() {
     let (mut pressure, mut peak) =
         (Errors::of_single(budget::PRESSURE), Errors::of_single(budget::PEAK_PRESSURE));
     for row in reference::contacts().into_iter().filter(|row| is_representable(row.case)) {
-        let single = solved::<f32>(row.case.single, &row);
-        let double = solved::<f64>(row.case.double, &row);
+        let single = row.solved(row.case.single, |x| x as f32);
+        let double = row.solved(row.case.double, |x| f64::from(x as f32));
         let condition = condition::of_radius(row.case.double, &row.case.of_sizes(), double[0]);
         let degree = condition::degree_of_approach(row.case.double, double[0]);
         radius.add(single[0], double[0], condition, &row);
@@ -161,19 +161,6 @@ fn contacts_in_single_precision_agree_with_double() {
     approach.check_worst();
     pressure.check_worst();
     peak.check();
-}
-
-/// a, δ₀, P(r) and P(0) of a row whose inputs are rounded to single precision.
-fn solved<T: Scalar>(profile: &dyn GapProfile<T>, row: &ContactRow) -> [f64; 4] {
-    let rounded = |x: f64| T::constant(f64::from(x as f32));
-    let solve = || {
-        let knots: Vec<(T, T)> = row.knots.iter().map(|&(t, force)| (rounded(t), rounded(force))).collect();
-        let medium = Medium::from_constants(rounded(row.m), rounded(row.chi))?;
-        let contact = Contact::new(profile, medium, cartcontact::load::PiecewiseLinear::new(knots)?)?;
-        let now = contact.at(rounded(row.t))?;
-        Ok([now.radius(), now.approach(), now.pressure(rounded(row.r)), now.peak_pressure()].map(T::value))
-    };
-    solve().unwrap_or_else(|error: Box<dyn core::error::Error>| unreachable!("{row:?}: {error}"))
 }
 
 fn compare_decimal_powers(errors: &mut [Errors; 6]) {
