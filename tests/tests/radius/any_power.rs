@@ -6,7 +6,9 @@ use tests::measure::{Errors, Exact};
 use tests::oracle::{Profile, double};
 use tests::random::Stream;
 
-use super::checks::{Inversion, assert_same_in_other_units, assert_slices_are_right};
+use super::checks::{
+    Inversion, assert_same_in_other_units, assert_slices_are_right, load_integrals_of_any_size,
+};
 
 macro_rules! powers {
     ($($name:ident $constant:ident: $decimal:literal, $gap:expr, $constant_gap:expr;)*) => {
@@ -120,10 +122,7 @@ fn slices_have_the_same_radii() {
         let mut stream = Stream::of_case(3, index);
         let c = stream.magnitude(-3.0, 3.0);
         let (profile, single) = ((kind.double)(c), (kind.single)(c as f32));
-        let mut load_integrals: Vec<f64> = (0..600).map(|_| stream.magnitude(-200.0, 200.0)).collect();
-        load_integrals[70] = 0.0;
-        load_integrals[71] = f64::MIN_POSITIVE / 4.0;
-        load_integrals[72] = f64::MAX;
+        let load_integrals = load_integrals_of_any_size(&mut stream, 200.0);
         for profiles in [(&*profile, &*single), kind.constant] {
             assert_slices_are_right(profiles, &load_integrals, &kind.decimal);
         }

@@ -66,6 +66,13 @@ pub(super) fn assert_same_one_by_one<T: Scalar>(
     }
 }
 
+/// Random load integrals within 10^±`decades`, among them zero, a subnormal number and the largest one.
+pub(super) fn load_integrals_of_any_size(stream: &mut Stream, decades: f64) -> Vec<f64> {
+    let mut load_integrals: Vec<f64> = (0..600).map(|_| stream.magnitude(-decades, decades)).collect();
+    load_integrals[70..73].copy_from_slice(&[0.0, f64::MIN_POSITIVE / 4.0, f64::MAX]);
+    load_integrals
+}
+
 /// Asserts that slices have the radii that their load integrals have one by one, in both formats, and are refused for
 /// one fault.
 pub(super) fn assert_slices_are_right(
