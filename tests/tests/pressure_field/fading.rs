@@ -4,19 +4,18 @@
 use cartcontact::load::{Load, PiecewiseLinear};
 use cartcontact::{Contact, Medium, Scalar};
 use tests::budget;
-use tests::joint::joint;
 use tests::loads::{Announced, Fall};
 use tests::measure::ulps;
 use tests::profiles::Paraboloid;
 use tests::random::Stream;
 use tests::stress::precision::Precision;
 
-use super::{Value, values};
+use super::{Value, joint, values};
 
 type Failure = Box<dyn core::error::Error>;
 
 /// Compares every 16th row, and the last, with what the time has alone.
-fn compare<T: Precision, L: Load<T>>(chi: f64, load: L, times: &[T]) -> Result<(), Failure> {
+fn compare<T: Precision>(chi: f64, load: &dyn Load<T>, times: &[T]) -> Result<(), Failure> {
     let contact = joint(Paraboloid, chi, load);
     let radii = [T::zero(), contact.at(T::zero())?.radius() * T::constant(0.5)];
     for Value { row, r, found, expected, edge, .. } in values(&contact, times, &radii, 16)? {
@@ -40,17 +39,17 @@ fn steps<T: Scalar>(times: &[T], share: f64) -> Result<PiecewiseLinear<T, Vec<(T
 fn rows_after_a_long_fall_are_those_of_single_times() -> Result<(), Failure> {
     let times = equal_times::<f64>(200, 0.5);
     for share in [1.0 / 1.25, 1.0 / 1.4, 0.95] {
-        compare(1.0, steps(&times, share)?, &times)?;
+        compare(1.0, &steps(&times, share)?, &times)?;
     }
     let times = equal_times::<f32>(100, 0.3);
-    compare(1.0, steps(&times, 1.0 / 1.24)?, &times)
+    compare(1.0, &steps(&times, 1.0 / 1.24)?, &times)
 }
 
 #[test]
 fn rows_fade_with_a_load_at_the_bound() -> Result<(), Failure> {
     // Forces are rounded, and so is the share that pressures fade by: both add up to less than the bound per e-folding.
     for rate in [0.5, 0.9, 1.0] {
-        compare(1.0, Fall { force: 100.0, rate }, &equal_times(250, 0.3))?;
+        compare(1.0, &Fall { force: 100.0, rate }, &equal_times(250, 0.3))?;
     }
     Ok(())
 }
@@ -82,7 +81,8 @@ fn rows_at_the_knots_of_a_record_at_the_bound_do_not_drift() -> Result<(), Failu
 fn rates_may_be_smaller_than_any_number() -> Result<(), Failure> {
     let (force, second) = (1e-56, 1e300);
     let load = PiecewiseLinear::new([(0.0, 10.0 * force), (4.0 * second, 20.0 * force)])?;
-    let contact = Contact::new(Paraboloid, Medium::from_constants(0.375 * force, 0.0)?, load)?;
+    let medium = Medium::from_constants(0.375 * force, 0.0)?;
+    let contact = Contact::new(Paraboloid, medium, &load as &dyn Load<f64>)?;
     let mut field = [0.0; 4];
     contact.pressure_field(&[0.0, 1.0, 2.0, 3.0].map(|k| k * second), &[0.0], &mut field)?;
     let error = ulps(field[3], contact.at(3.0 * second)?.peak_pressure().into(), f64::EPSILON);
@@ -93,9 +93,9 @@ fn rates_may_be_smaller_than_any_number() -> Result<(), Failure> {
 #[test]
 fn rows_may_be_closer_than_anything_drains() -> Result<(), Failure> {
     for rate in [0.5e-3, 0.9e-3, 1e-3_f32] {
-        compare(1e-3, Fall { force: 100.0, rate }, &equal_times(4000, 1e-3))?;
+        compare(1e-3, &Fall { force: 100.0, rate }, &equal_times(4000, 1e-3))?;
     }
-    compare(1e-3, Fall { force: 100.0, rate: 1e-3 }, &equal_times(3000, 1e-7))
+    compare(1e-3, &Fall { force: 100.0, rate: 1e-3 }, &equal_times(3000, 1e-7))
 }
 
 fn noise(stream: &mut Stream) -> f32 {
@@ -106,7 +106,7 @@ fn noise(stream: &mut Stream) -> f32 {
 fn a_clamped_record_may_have_more_rows_than_knots() -> Result<(), Failure> {
     let mut stream = Stream::of_case(7, 0);
     let record = clamped(&equal_times(999, 0.01), 1.5e-3, || noise(&mut stream));
-    compare(1.5e-3, PiecewiseLinear::new(record)?, &equal_times(10_000, 1e-3))
+    compare(1.5e-3, &PiecewiseLinear::new(record)?, &equal_times(10_000, 1e-3))
 }
 
 #[test]

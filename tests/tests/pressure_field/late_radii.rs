@@ -4,11 +4,12 @@ use cartcontact::load::Load;
 use cartcontact::{ContactError, GapProfile};
 use tests::budget;
 use tests::condition::edge;
-use tests::joint::joint;
 use tests::loads::{CountingForces, Knots, Rise, through};
 use tests::measure::Errors;
 use tests::profiles::{Decimals, Oblate, Paraboloid, Patellofemoral};
 use tests::random::Stream;
+
+use super::joint;
 
 type Failure = Box<dyn core::error::Error>;
 

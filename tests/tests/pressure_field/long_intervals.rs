@@ -2,14 +2,13 @@
 //! time.
 
 use cartcontact::load::{Constant, Load};
-use cartcontact::{ContactError, Polynomial};
+use cartcontact::{ContactError, GapProfile, Polynomial};
 use tests::budget;
-use tests::joint::joint;
 use tests::loads::{Announced, Swing};
 use tests::measure::Errors;
 use tests::profiles::Paraboloid;
 
-use super::{Value, values};
+use super::{Value, joint, values};
 
 #[test]
 fn rows_after_long_intervals_are_those_of_single_times() -> Result<(), ContactError> {
@@ -17,7 +16,8 @@ fn rows_after_long_intervals_are_those_of_single_times() -> Result<(), ContactEr
     let gap = Polynomial::new([(0.025, 2.0), (1.09375e-4, 4.0)])?;
     let radii = [0.0, 3.0, 7.0, 11.0, 20.0];
     for (chi, frequency, amplitude) in [(1.0, 1.0, 10.0), (0.0015, 0.01, 5.0)] {
-        let contact = joint(&gap, chi, Swing { mean: 100.0, amplitude, frequency });
+        let swing = Swing { mean: 100.0, amplitude, frequency };
+        let contact = joint(&gap as &dyn GapProfile<f64>, chi, &swing);
         for folds in [
             &[0.0, 30.0, 60.0][..],
             &[0.0, 1.0, 1.1, 90.0, 90.1, 1e3, 1e4],
@@ -37,7 +37,8 @@ fn rows_after_long_intervals_are_those_of_single_times() -> Result<(), ContactEr
 #[test]
 fn a_long_history_carries_the_force_in_single_precision() -> Result<(), ContactError> {
     for (chi, frequency, amplitude) in [(0.0015, 0.01, 5.0), (1.0, 5.0, 1.0), (1.0, 1.0, 10.0)] {
-        let contact = joint::<f32, _, _>(Paraboloid, chi, Swing { mean: 100.0, amplitude, frequency });
+        let swing = Swing { mean: 100.0, amplitude, frequency };
+        let contact = joint::<f32, _>(Paraboloid, chi, &swing);
         for sixteenth in 40..100 {
             let folds = 10_f32.powf(sixteenth as f32 / 16.0);
             let now = contact.at(folds / chi as f32)?;
@@ -56,7 +57,7 @@ fn a_long_history_carries_the_force_in_single_precision() -> Result<(), ContactE
 /// Where tens of e-foldings are a few roundings of the time, those that count must not be rounded away.
 #[test]
 fn a_held_load_is_carried_however_long() {
-    fn check(load: impl Load<f64>) {
+    fn check(load: &dyn Load<f64>) {
         let contact = joint(Paraboloid, 1.0, load);
         for step in 0..4000 {
             let time = 10f64.powf(15.0 + f64::from(step) / 800.0);
@@ -67,6 +68,6 @@ fn a_held_load_is_carried_however_long() {
             assert!(error <= budget::PEAK_PRESSURE.double + 2.0, "{time:e}: {error} ε");
         }
     }
-    check(Constant(100.0));
-    check(Announced::curved(Constant(100.0)));
+    check(&Constant(100.0));
+    check(&Announced::curved(Constant(100.0)));
 }

@@ -11,6 +11,15 @@ use cartcontact::load::Load;
 use cartcontact::{Contact, ContactError, GapProfile, Scalar};
 use tests::condition;
 
+/// A contact under any load: what these tests ask of it is compiled once for each geometry and format, not for each of
+/// the loads, too.
+type Joint<'a, T, P> = Contact<T, P, &'a dyn Load<T>>;
+
+/// [`joint`](tests::joint::joint) under any load.
+fn joint<T: Scalar, P: GapProfile<T>>(profile: P, chi: f64, load: &dyn Load<T>) -> Joint<'_, T, P> {
+    tests::joint::joint(profile, chi, load)
+}
+
 /// A value of a field, and what the snapshot at its time has there.
 struct Value<T> {
     row: usize,
@@ -23,8 +32,8 @@ struct Value<T> {
 }
 
 /// The values in one of `every` rows of a field, and in the last row.
-fn values<T: Scalar, P: GapProfile<T>, L: Load<T>>(
-    contact: &Contact<T, P, L>,
+fn values<T: Scalar, P: GapProfile<T>>(
+    contact: &Joint<'_, T, P>,
     times: &[T],
     radii: &[T],
     every: usize,

@@ -1,22 +1,21 @@
 //! A pressure field consists of the pressures of its snapshots.
 
 use cartcontact::load::{Constant, Load};
-use cartcontact::{Contact, ContactError, GapProfile};
+use cartcontact::{ContactError, GapProfile};
 use proptest::prelude::*;
 use tests::budget;
-use tests::joint::joint;
 use tests::loads::{CountingSearches, Rise, histories, through};
 use tests::measure::{Errors, relative_error};
 use tests::planted;
 use tests::profiles::{Case, Patellofemoral, cases};
 use tests::random;
 
-use super::{Value, values};
+use super::{Joint, Value, joint, values};
 
 const CHI: f64 = 0.02;
 const LAST_RADIUS: f64 = 5.0;
 
-type Dynamic<'a> = Contact<f64, &'a dyn GapProfile<f64>, &'a dyn Load<f64>>;
+type Dynamic<'a> = Joint<'a, f64, &'a dyn GapProfile<f64>>;
 
 /// A contact whose radius is [`LAST_RADIUS`] at the last of `times`.
 fn contact<'a>(case: Case, load: &'a dyn Load<f64>, times: &[f64]) -> Result<Dynamic<'a>, ContactError> {
@@ -61,7 +60,8 @@ fn a_field_is_its_snapshots_for_every_geometry_and_load() -> Result<(), ContactE
 #[test]
 fn the_edge_carries_nothing() -> Result<(), ContactError> {
     for force in [1.0, 2.0, 3.7, 100.0] {
-        let contact = joint(Patellofemoral, 0.0015, Constant(force));
+        let load = Constant(force);
+        let contact = joint(Patellofemoral, 0.0015, &load);
         let radius = contact.at(0.0)?.radius();
         let times = [0.0, 1e-14, 1e-13, 1e-12, 1e-9, 1.0];
         // Also between radii that are in no order.
@@ -86,7 +86,7 @@ fn the_edge_carries_nothing() -> Result<(), ContactError> {
 /// Next to the edge, what rows add is the difference of nearly equal numbers.
 #[test]
 fn pressures_at_the_edge_of_the_first_row_are_not_negative() -> Result<(), ContactError> {
-    let contact = joint(Patellofemoral, CHI, Constant(100.0));
+    let contact = joint(Patellofemoral, CHI, &Constant(100.0));
     for case in 0..2000 {
         let start = 1.0 + f64::from(case) / 100.0;
         let times: Vec<f64> = (0..20).map(|row| start * (1.0 + f64::EPSILON * f64::from(1 << row))).collect();
@@ -189,9 +189,10 @@ fn single_precision_has_its_own_rounding() -> Result<(), ContactError> {
     let mut errors = Errors::of_single(budget::FIELD);
     let times: Vec<f32> = (0..500_u16).map(|row| f32::from(row) / 4.0).collect();
     let radii: Vec<f32> = (0..40_u16).map(|k| f32::from(k) / 12.0).collect();
+    let load: &dyn Load<f32> = &Constant(100.0);
     for case in cases() {
         // A last radius of 3: 4^64 is beyond single precision.
-        let contact = match planted::contact(case.single, Constant(100.0), CHI as f32, 3.0, times[499]) {
+        let contact = match planted::contact(case.single, load, CHI as f32, 3.0, times[499]) {
             // Its coefficient 1e-40 lacks digits in single precision.
             Err(ContactError::Profile(_)) if case.name == "FlatEnded" => continue,
             contact => contact?,
@@ -220,9 +221,9 @@ proptest! {
         let times: Vec<f64> = steps.iter().map(|step| { now += step; now }).collect();
         let load = through(&[(0.0, 1.0), (0.6 * end, 1.0 + growth), (2.0 * end, 1.0 + growth)]);
         let chi = folds / end;
-        let contact = planted::contact(&gap, &load, chi, 1.0, now).unwrap_or_else(|e| unreachable!("{e}"));
-        let values = values(&contact, &times, &radii, 1).unwrap_or_else(|e| unreachable!("{e}"));
-        for Value { t, r, found, expected, edge, .. } in values {
+        let contact: Result<Dynamic<'_>, _> = planted::contact(&gap, &load, chi, 1.0, now);
+        let values = contact.and_then(|contact| values(&contact, &times, &radii, 1));
+        for Value { t, r, found, expected, edge, .. } in values.map_err(random::failure)? {
             let error = relative_error(found, expected, f64::EPSILON) / edge;
             prop_assert!(error <= budget::FIELD.double, "{error} ε at t = {t}, r = {r}: {found}");
         }
