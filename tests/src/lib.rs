@@ -4,6 +4,7 @@ pub mod budget;
 pub mod condition;
 pub mod differences;
 pub mod fractions;
+pub mod inversion;
 pub mod joint;
 pub mod kernel;
 pub mod loads;

@@ -9,6 +9,7 @@ use std::f64::consts::FRAC_PI_4;
 use std::thread;
 
 use ::tests::fractions::{Hundredths, Quarters, Tenths, Thirds, Twentieths};
+use ::tests::inversion::Inversion;
 use ::tests::measure::{Exact, ulps};
 use ::tests::profiles::{Cone, Paraboloid, Patellofemoral};
 use ::tests::random::Stream;
@@ -56,17 +57,24 @@ struct ManyHundredths;
 #[gap_profile(0.02 * r^1.5 + 1e-4 * r^3.25)]
 struct Blunter;
 
-/// A geometry in both formats.
+/// A geometry in both formats, for radii of load integrals.
 struct Geometry {
+    double: Box<dyn Inversion<f64> + Sync>,
+    single: Box<dyn Inversion<f32> + Sync>,
+    gap: Gap,
+}
+
+/// A geometry in both formats, for radii under loads.
+struct Joint {
     double: Box<dyn GapProfile<f64> + Sync>,
     single: Box<dyn GapProfile<f32> + Sync>,
     gap: Gap,
 }
 
-/// Generated geometries.
+/// Generated geometries, for either.
 macro_rules! generated {
-    ($($profile:ident),*) => {
-        vec![$(Geometry {
+    ($purpose:ident: $($profile:ident),*) => {
+        vec![$($purpose {
             double: Box::new($profile),
             single: Box::new($profile),
             gap: Gap::of(&$profile::TERMS),
@@ -85,21 +93,21 @@ fn run_time(terms: &[(f32, f32)]) -> Geometry {
 }
 
 /// Geometries that are counted together, in a row of the table.
-struct Kind {
+struct Kind<G> {
     name: &'static str,
-    geometries: Vec<Geometry>,
+    geometries: Vec<G>,
 }
 
 /// The kinds for radii of a load integral.
-fn kinds() -> [Kind; 7] {
+fn kinds() -> [Kind<Geometry>; 7] {
     let kind = |name, geometries| Kind { name, geometries };
     [
-        kind("one, of any power", generated![QuarterPower, Cone, Paraboloid, Blunt, Flat]),
-        kind("whole powers", generated![Patellofemoral, ThreeTerms, FourTerms]),
-        kind("whole powers beginning with r", generated![ConeAndParaboloid, LongCone]),
-        kind("halves among them", generated![Halves, ManyHalves]),
-        kind("multiples of 1/3 to 1/20", generated![Thirds, Quarters, Tenths, Twentieths]),
-        kind("other powers", generated![Hundredths, ManyHundredths]),
+        kind("one, of any power", generated![Geometry: QuarterPower, Cone, Paraboloid, Blunt, Flat]),
+        kind("whole powers", generated![Geometry: Patellofemoral, ThreeTerms, FourTerms]),
+        kind("whole powers beginning with r", generated![Geometry: ConeAndParaboloid, LongCone]),
+        kind("halves among them", generated![Geometry: Halves, ManyHalves]),
+        kind("multiples of 1/3 to 1/20", generated![Geometry: Thirds, Quarters, Tenths, Twentieths]),
+        kind("other powers", generated![Geometry: Hundredths, ManyHundredths]),
         kind(
             "`Polynomial`, any powers",
             vec![
@@ -111,11 +119,11 @@ fn kinds() -> [Kind; 7] {
 }
 
 /// The geometries for radii under a held load.
-fn under_load() -> Kind {
+fn under_load() -> Kind<Joint> {
     Kind {
         name: "any, under a held load",
         geometries: generated![
-            QuarterPower,
+            Joint: QuarterPower,
             ConeAndParaboloid,
             Paraboloid,
             Patellofemoral,
@@ -210,7 +218,9 @@ impl Geometry {
         }
         [double, single]
     }
+}
 
+impl Joint {
     /// Counts contact radii at random times under random held loads, in `f64` and `f32`.
     fn radii_under_loads(&self, mut stream: Stream, count: u64) -> [Count; 2] {
         let [mut double, mut single] = [Count::default(); 2];
@@ -218,7 +228,7 @@ impl Geometry {
         let (m, chi) = MEDIUM;
         for _ in 0..count {
             let t = stream.magnitude(-1.0, 5.0);
-            let hereditary = FRAC_PI_4 * m * self.double.load_integral(stream.magnitude(from, to));
+            let hereditary = FRAC_PI_4 * m * (*self.double).load_integral(stream.magnitude(from, to));
             let force = hereditary / (1.0 + chi * t);
             let found = radius_under(&*self.double, force, t).unwrap_or(f64::NAN);
             double.add(self.gap.error(found, exact_load_integral(force, t), f64::EPSILON));
@@ -252,10 +262,10 @@ fn main() {
     for kind in kinds() {
         print_row(&kind, seed, |geometry, stream| geometry.radii_of_load_integrals(stream, count));
     }
-    print_row(&under_load(), seed, |geometry, stream| geometry.radii_under_loads(stream, count));
+    print_row(&under_load(), seed, |joint, stream| joint.radii_under_loads(stream, count));
 }
 
-fn print_row(kind: &Kind, seed: u64, count: impl Fn(&Geometry, Stream) -> [Count; 2] + Sync) {
+fn print_row<G: Sync>(kind: &Kind<G>, seed: u64, count: impl Fn(&G, Stream) -> [Count; 2] + Sync) {
     // Each geometry has a thread and a stream of its own.
     let counts: Vec<[Count; 2]> = thread::scope(|scope| {
         let count = &count;
@@ -279,7 +289,7 @@ mod tests {
     /// The errors of Newton's step are those against the radius in 96 digits, also for exponents that are fractions.
     #[test]
     fn errors_are_those_of_the_oracle() {
-        let geometries = generated![Thirds, Hundredths, ManyHalves];
+        let geometries = generated![Geometry: Thirds, Hundredths, ManyHalves];
         let written: [&[(&str, &str)]; 3] = [
             &[("0.02", "2/3"), ("1e-3", "2")],
             &[("0.02", "2.37"), ("1e-3", "3.5")],

@@ -2,13 +2,12 @@
 
 use cartcontact::gap_profile;
 use tests::budget;
+use tests::inversion::Inversion;
 use tests::measure::{Errors, Exact};
 use tests::oracle::{Profile, double};
 use tests::random::Stream;
 
-use super::checks::{
-    Inversion, assert_same_in_other_units, assert_slices_are_right, load_integrals_of_any_size,
-};
+use super::checks::{assert_same_in_other_units, assert_slices_are_right, load_integrals_of_any_size};
 
 macro_rules! powers {
     ($($name:ident $constant:ident: $decimal:literal, $gap:expr, $constant_gap:expr;)*) => {

@@ -3,43 +3,12 @@
 
 use core::fmt::Debug;
 
-use cartcontact::{GapProfile, RadiusError, Scalar};
+use cartcontact::{RadiusError, Scalar};
 use tests::budget;
+use tests::inversion::Inversion;
 use tests::measure::{Errors, Exact};
 use tests::oracle::{Profile, double};
 use tests::random::Stream;
-
-/// What these tests ask of a geometry. For each of seventy geometries in two formats, a table of all functions of a
-/// [`GapProfile`] would have to be compiled.
-pub(super) trait Inversion<T> {
-    fn load_integral(&self, a: T) -> T;
-    fn max_radius(&self) -> T;
-    fn radius(&self, load_integral: T) -> Result<T, RadiusError>;
-    fn radius_within(&self, load_integral: T, limit: T) -> Result<T, RadiusError>;
-    fn radii(&self, load_integrals: &[T], radii: &mut [T]) -> Result<(), RadiusError>;
-}
-
-impl<T: Scalar, P: GapProfile<T>> Inversion<T> for P {
-    fn load_integral(&self, a: T) -> T {
-        GapProfile::load_integral(self, a)
-    }
-
-    fn max_radius(&self) -> T {
-        GapProfile::max_radius(self)
-    }
-
-    fn radius(&self, load_integral: T) -> Result<T, RadiusError> {
-        GapProfile::radius(self, load_integral)
-    }
-
-    fn radius_within(&self, load_integral: T, limit: T) -> Result<T, RadiusError> {
-        GapProfile::radius_within(self, load_integral, limit)
-    }
-
-    fn radii(&self, load_integrals: &[T], radii: &mut [T]) -> Result<(), RadiusError> {
-        GapProfile::radii(self, load_integrals, radii)
-    }
-}
 
 /// The radius at which J of the terms (C, n) is `load_integral`.
 pub(super) fn exact_radius(terms: &[(f64, f64)], load_integral: f64) -> Exact {

@@ -2,11 +2,12 @@
 
 use cartcontact::{RadiusError, gap_profile};
 use tests::budget;
+use tests::inversion::Inversion;
 use tests::measure::{Errors, Exact, ulps};
 use tests::random::Stream;
 
 use super::checks::{
-    Inversion, assert_same_in_other_units, assert_slices_are_right, exact_radius, load_integrals_of_any_size,
+    assert_same_in_other_units, assert_slices_are_right, exact_radius, load_integrals_of_any_size,
 };
 
 macro_rules! terms {

@@ -4,10 +4,11 @@ use core::fmt::Debug;
 
 use cartcontact::{RadiusError, gap_profile};
 use tests::budget;
+use tests::inversion::Inversion;
 use tests::measure::Errors;
 use tests::random::Stream;
 
-use super::checks::{Inversion, exact_radius};
+use super::checks::exact_radius;
 
 /// The square of the ratio of the coefficients leaves the format.
 #[gap_profile(r^2 + 1e-20 * r^4)]

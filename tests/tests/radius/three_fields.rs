@@ -4,13 +4,14 @@
 use cartcontact::gap_profile;
 use tests::budget;
 use tests::condition::{degree, of_sizes};
+use tests::inversion::Inversion;
 use tests::measure::{Errors, Exact, ulps};
 use tests::oracle::number::{Real, whole};
 use tests::oracle::{Profile, double};
 use tests::random::Stream;
 
 use super::checks::{
-    Inversion, assert_same_in_other_units, assert_same_one_by_one, assert_slices_are_right, exact_radius,
+    assert_same_in_other_units, assert_same_one_by_one, assert_slices_are_right, exact_radius,
 };
 
 /// Structs of three fields and the kinds that they are.

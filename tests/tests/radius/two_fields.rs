@@ -1,6 +1,6 @@
 //! Geometries of two fields, in both formats.
 
-use super::checks::Inversion;
+use tests::inversion::Inversion;
 
 /// The terms (C, n) of a geometry, computed in the arithmetic of its scalar, and the geometry.
 pub(super) type Found<T> = (Vec<(f64, f64)>, Box<dyn Inversion<T>>);
