@@ -1,5 +1,6 @@
 //! Derivatives of pressures under records, whose short pieces are integrated many at once.
 
+use cartcontact::load::Load;
 use cartcontact::{Contact, ContactError, GapProfile, Medium, Polynomial, Scalar, gap_profile};
 use num_dual::{Dual2_64, Dual32, Dual64};
 use tests::loads::{Announced, Knots, through};
@@ -72,24 +73,24 @@ fn pressures<T: Scalar>(parameters: [T; 7], polynomial: bool) -> Result<[Vec<T>;
     let medium = Medium::from_constants(m, chi)?;
     let terms = [(b, T::constant(2.0)), (T::constant(1.09375e-4), T::constant(4.0))];
     if polynomial {
-        each_way(&Polynomial::new(terms)?, medium, load, time)
+        each_way(&Polynomial::new(terms)?, medium, &load, time)
     } else {
-        each_way(&Even { b }, medium, load, time)
+        each_way(&Even { b }, medium, &load, time)
     }
 }
 
 fn each_way<T: Scalar>(
-    profile: &impl GapProfile<T>,
+    profile: &dyn GapProfile<T>,
     medium: Medium<T>,
-    load: Knots<T>,
+    load: &Knots<T>,
     time: T,
 ) -> Result<[Vec<T>; 2], ContactError> {
-    let radii = [0.0, 3.0, 5.0, 6.5].map(T::constant);
-    let at_once = Contact::new(profile, medium, &load)?;
-    let at_once = radii.map(|r| at_once.at(time).map(|now| now.pressure(r)));
-    let in_steps = Contact::new(profile, medium, Announced { load: &load, is_linear: false })?;
-    let in_steps = radii.map(|r| in_steps.at(time).map(|now| now.pressure(r)));
-    Ok([at_once.into_iter().collect::<Result<_, _>>()?, in_steps.into_iter().collect::<Result<_, _>>()?])
+    let pressures = |load: &dyn Load<T>| -> Result<Vec<T>, ContactError> {
+        let contact = Contact::new(profile, medium, load)?;
+        let now = contact.at(time)?;
+        Ok([0.0, 3.0, 5.0, 6.5].map(|r| now.pressure(T::constant(r))).to_vec())
+    };
+    Ok([pressures(load)?, pressures(&Announced { load, is_linear: false })?])
 }
 
 /// How far values and first derivatives, times the parameter, may be off in double precision, in ε of the peak pressure;
