@@ -105,7 +105,7 @@ fn peaks_of_high_powers_are_as_exact_as_others() {
 
 /// Peak pressures at once, and after a fifth of the fluid's pressure has drained.
 fn add_peaks<P: GapProfile<f32> + GapProfile<f64>>(errors: &mut Errors, profile: &P) {
-    fn peak<T: Scalar>(profile: &impl GapProfile<T>, m: f32, force: f32, chi: f32) -> f64 {
+    fn peak<T: Scalar>(profile: &dyn GapProfile<T>, m: f32, force: f32, chi: f32) -> f64 {
         let [m, force, chi] = [m, force, chi].map(|number| T::constant(number.into()));
         let contact = Medium::from_constants(m, chi)
             .ok()
