@@ -278,6 +278,23 @@ mod tests {
         }
     }
 
+    /// The slope nearly vanishes where the search begins, and bisection goes on from a bracket of more terms than the
+    /// least power has units.
+    #[test]
+    fn brackets_of_many_terms_begin_above_zero() {
+        let parts = 28;
+        let terms =
+            || [(2.0, 2.0), (1.5, 4.0)].map(|(c, n)| (c / f64::from(parts), n)).repeat(parts as usize);
+        for k in 1..100 {
+            let (b, planted) = (1.0 - 1e-6, 1.0 - 1e-3 * f64::from(k));
+            let evaluate = |a| nearly_flat(b, a).0;
+            let ((target, _), size) = nearly_flat(b, planted);
+            let found = invert(target, f64::INFINITY, terms(), true, evaluate, |a| evaluate(a).0);
+            let left = found.map(|a| (evaluate(a).0 - target).abs() / size);
+            assert!(left.is_ok_and(|left| left < f64::EPSILON), "{planted}: {found:?}");
+        }
+    }
+
     /// J = a⁸, the difference of terms that are a hundred times as large.
     #[test]
     fn radii_beyond_finite_terms_are_refused() {
