@@ -130,6 +130,8 @@ mod tests {
     #[test]
     fn sums_stay_finite_up_to_the_end_of_the_range() {
         assert_eq!(quick_even_sum(1e153, 2, [1e-10]), 1e306 * 1e-10);
+        // Here the correction is infinite times nothing.
+        assert_eq!(quick_even_sum(0.25, 8, [8e307]), 8e307 / 65_536.0);
         precise_sums_are_exact::<true>();
         precise_sums_are_exact::<false>();
     }
