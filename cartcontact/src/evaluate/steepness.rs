@@ -293,4 +293,15 @@ mod tests {
             assert!(error < 0.01, "{error} ε");
         }
     }
+
+    /// What a word of the fraction lacks, by which nothing is moved that is near 1.
+    #[test]
+    fn powers_have_the_rest_of_their_exponents() {
+        let (octaves, rest) = (-300, 2_f64.powi(-55));
+        let (power, fraction): (f64, f64) = (power_of_two(octaves / 2), 0.5);
+        let found = precise_fractional_power(Halved::of(power_of_two(octaves)), fraction, rest);
+        let gain = ((found.head() - power) + found.rest()) / power;
+        let expected = rest * f64::from(octaves) * core::f64::consts::LN_2;
+        assert!((gain / expected - 1.0).abs() < 0.01, "{gain:e} instead of {expected:e}");
+    }
 }
