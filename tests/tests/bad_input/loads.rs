@@ -90,6 +90,14 @@ fn loads_of_a_users_own_are_checked_when_they_are_used() {
     }
 }
 
+#[test]
+fn an_impulse_beyond_the_format_is_infinite() -> Result<(), LoadError> {
+    let load = PiecewiseLinear::new([0.0, 1e10, 2e10].map(|time| (time, 1e308)))?;
+    let is_impulse = |e: &ContactError| matches!(e, ContactError::Load(LoadError::InvalidImpulse { .. }));
+    refused(contact(Paraboloid, load).at(3e10), is_impulse, "inf");
+    Ok(())
+}
+
 /// Its impulse is a difference that early on is negative by rounding.
 struct HalfCosine;
 

@@ -71,7 +71,9 @@ fn times_of_diffusion_are_those_of_a_solid_and_a_layer() {
             "{poisson_ratio}: {time}, not {expected}"
         );
     }
-    assert_eq!(Layer { permeability: 0.0, ..layer() }.diffusion_time(0.3), Ok(f64::INFINITY));
+    for permeability in [0.0, -0.0] {
+        assert_eq!(Layer { permeability, ..layer() }.diffusion_time(0.3), Ok(f64::INFINITY));
+    }
     for value in [f64::NAN, f64::INFINITY, -f64::INFINITY, 0.5, 0.6, -1.0, -1.5] {
         let result = layer().diffusion_time(value);
         refused(result, |e| matches!(e, MediumError::PoissonRatio { .. }), value);
