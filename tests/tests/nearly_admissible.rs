@@ -93,6 +93,34 @@ fn knots_of_a_held_load_change_nothing() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
+/// Next to the edge the terms of the kernel cancel down to their rounding.
+#[test]
+fn no_pressure_is_negative() -> Result<(), Box<dyn Error>> {
+    for k in 0..40 {
+        let b = 1.0 - 10_f64.powf(-4.0 - 0.05 * f64::from(k));
+        let gap = Polynomial::new([(0.05, 2.0), (-b / 12.0, 3.0), (0.0375, 4.0)])?;
+        for end in [0.999, 1.0, 1.01] {
+            let contact = planted::contact(&gap, Constant(1.0), 0.0, end, 0.0)?;
+            let now = contact.at(0.0)?;
+            for depth in [1e-12, 1e-13, 1e-14, 1e-15] {
+                let pressure = now.pressure(now.radius() * (1.0 - depth));
+                assert!(pressure >= 0.0, "{b}, {end}, {depth}: {pressure:e}");
+            }
+        }
+    }
+    Ok(())
+}
+
+/// That the first term outweighs the other at a radius is known nearer to the zero of δ₀′ than the zero itself.
+#[test]
+fn a_range_may_end_next_to_a_zero() {
+    let zero = 0.75_f64.sqrt();
+    for unit in [1e-300, 1.0, 1e300] {
+        let ends_at = |end| Polynomial::with_max_radius([(unit, 2.0), (-unit, 4.0)], end).is_ok();
+        assert!(ends_at(zero * (1.0 - 1e-14)) && !ends_at(zero * (1.0 + 1e-15)), "{unit:e}");
+    }
+}
+
 /// Where the last term first exceeds either of two negative ones, the first term still hides that both together exceed
 /// it.
 #[test]
