@@ -13,6 +13,13 @@ struct Even<T> {
     c: T,
 }
 
+/// A single term.
+#[gap_profile(b * r^2.5)]
+#[derive(Clone, Copy)]
+struct Single<T> {
+    b: T,
+}
+
 /// Whole powers of the square root.
 #[gap_profile(b * r^2 + 0.01 * r^2.5)]
 #[derive(Clone, Copy)]
@@ -82,6 +89,7 @@ macro_rules! geometries {
 
 geometries! {
     OfEven, b => Even { b, c: T::one() }, [(0.025, 2.0), (1.09375e-4, 4.0)];
+    OfSingle, b => Single { b }, [(0.025, 2.5)], 1.0;
     OfHalves, b => Halves { b }, [(0.025, 2.0), (0.01, 2.5)];
     OfFifths, b => Fifths { b }, [(0.025, 2.0), (0.01, 2.2)];
     OfWhole, b => Whole { b }, [(0.025, 2.0), (1e-3, 3.0), (2e-4, 4.0)];
@@ -185,6 +193,7 @@ fn compare<G: Geometry>(least: f64, factor: f64) -> Result<(), RadiusError> {
 #[test]
 fn radii_have_the_values_of_plain_numbers_and_all_derivatives() -> Result<(), RadiusError> {
     compare::<OfEven>(0.01, 1.3)?;
+    compare::<OfSingle>(0.01, 1.3)?;
     compare::<OfHalves>(0.01, 1.3)?;
     compare::<OfFifths>(0.01, 1.3)?;
     compare::<OfWhole>(0.01, 1.3)?;
