@@ -53,6 +53,26 @@ fn coefficients_of_tiny_exponents_need_not_be_in_range() -> Result<(), Box<dyn c
     Ok(())
 }
 
+/// For n → 0 and next to the edge, G = n C a² δ² (1 − δ/3)/4 with δ = 1 − r/a, although n δ² leaves the format.
+#[test]
+fn kernels_of_tiny_exponents_keep_their_digits_to_the_edge() -> Result<(), ProfileError> {
+    fn error<T: Scalar>([c, n, a]: [f64; 3], depth: f64) -> Result<f64, ProfileError> {
+        let gap = Polynomial::new([(T::constant(c), T::constant(n))])?;
+        let found = gap.pressure_kernel(T::constant(a), T::constant(a * (1.0 - depth))).value();
+        let expected = n * (c * (a * depth).powi(2)) * (1.0 - depth / 3.0) / 4.0;
+        Ok(relative_error(found, expected, T::default_epsilon().value()))
+    }
+    for depth in [2_f64.powi(-12), 2_f64.powi(-20)] {
+        for scene in [[1e35, 1e-36, 8192.0], [1e30, 1e-36, 1.0]] {
+            let error = error::<f32>(scene, depth)?;
+            assert!(error <= 4.0, "{scene:?}, {depth:e}: {error} ε");
+        }
+    }
+    let error = error::<f64>([1e300, 1e-300, 1.0], 2_f64.powi(-30))?;
+    assert!(error <= 4.0, "{error} ε");
+    Ok(())
+}
+
 /// In f32 the two terms of a J′ are infinite from 9e4 mm on; their difference, some 400 times smaller, is not.
 #[test]
 fn infinite_terms_of_both_signs_are_refused() -> Result<(), Box<dyn core::error::Error>> {
@@ -104,6 +124,8 @@ fn a_coefficient_of_zero_is_no_term() -> Result<(), Box<dyn core::error::Error>>
         assert_eq!(alone.approach(), beside.approach());
         assert_eq!(alone.peak_pressure(), beside.peak_pressure());
     }
+    // The slope of r^0.5 is infinite on the axis.
+    assert_eq!(Polynomial::new([(1.0, 2.0), (0.0, 0.5)])?.approach_slope(0.0_f64), 0.0);
     Ok(())
 }
 
@@ -226,6 +248,7 @@ fn any_number_that_loses_digits_is_noticed() -> Result<(), Box<dyn core::error::
         // Common forces and load integrals, which are not looked at one by one.
         ("a large radius", [1.0, 0.0], (1e-300, 0.25), 1e45),
         ("a small radius", [1.0, 0.0], (1e300, 0.25), 1e-45),
+        ("a small rate", [1.0, 1e-300], (1.0, 2.0), 1e-40),
     ] {
         let contact =
             Contact::new(Polynomial::new([term])?, Medium::from_constants(m, chi)?, Constant(force))?;
