@@ -6,7 +6,7 @@ use cartcontact::load::{Constant, Load, PiecewiseLinear};
 use cartcontact::{
     Contact, ContactError, GapProfile, Layer, Medium, Polynomial, Scalar, Snapshot, gap_profile,
 };
-use num_dual::{Dual32, Dual64};
+use num_dual::{Dual3_64, Dual32, Dual64};
 use tests::budget;
 use tests::condition::edge;
 use tests::joint::joint;
@@ -332,6 +332,22 @@ fn a_zero_before_a_power_beyond_the_format_changes_nothing() -> Result<(), Failu
             let error = relative_error(found.into(), expected.into(), f32::EPSILON.into());
             assert!(error <= allowed, "{found} instead of {expected}, {error:.2} of {allowed} ε");
         }
+    }
+    Ok(())
+}
+
+/// With respect to the rate of drainage.
+#[test]
+fn third_derivatives_are_the_slopes_of_second_ones() -> Result<(), Failure> {
+    let hundred = Dual3_64::from(100.0);
+    for t in [1.0, 200.0, 5e3] {
+        let peak = |chi: f64| -> Result<Dual3_64, Failure> {
+            let medium = Medium::from_constants(Dual3_64::from(0.375), Dual3_64::from(chi).derivative())?;
+            Ok(Contact::new(Blunt, medium, Constant(hundred))?.at(t.into())?.peak_pressure())
+        };
+        let (chi, dual) = (0.0015, peak(0.0015)?);
+        let expected = slope(|chi| peak(chi).map_or(f64::NAN, |peak| peak.v2), chi, 1e-2 * chi);
+        assert!((dual.v3 / expected - 1.0).abs() < 1e-5, "{t}: {dual} instead of {expected}");
     }
     Ok(())
 }
