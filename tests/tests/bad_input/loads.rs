@@ -300,6 +300,23 @@ fn a_load_is_never_asked_for_a_time_that_is_none() {
     }
 }
 
+/// Where a history is just as long as it counts, rounding may put the time from which it counts below zero.
+#[test]
+fn a_load_is_never_asked_for_a_time_before_its_start() -> Result<(), ContactError> {
+    let folds_that_count = 4.0 - f64::EPSILON.ln();
+    for chi in [1.0, 0.7, 0.0015] {
+        let contact = joint(Paraboloid, chi, Strict { is_linear: false });
+        for count in 1..5 {
+            let longest = f64::from(count) * folds_that_count / chi;
+            for roundings in 0..12 {
+                let time = f64::from_bits(longest.to_bits() + roundings);
+                assert!(contact.at(time)?.peak_pressure() > 0.0, "{chi}, {time}");
+            }
+        }
+    }
+    Ok(())
+}
+
 /// Times of 1e60, beyond the usual sizes.
 #[test]
 fn times_of_no_common_size_have_the_radius_of_their_load() -> Result<(), ContactError> {
