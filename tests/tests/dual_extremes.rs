@@ -251,6 +251,26 @@ fn a_distant_end_of_the_range_leaves_derivatives_alone() -> Result<(), Failure> 
     Ok(())
 }
 
+/// Where δ₀′ nearly vanishes, the slope of J is smaller than J: here its reciprocal leaves the format, and the derivative
+/// of a small radius does not.
+#[test]
+fn slopes_need_no_reciprocal() -> Result<(), Failure> {
+    let constant = Dual32::from;
+    let slope = |octaves: i32| -> Result<f32, Failure> {
+        let unit = 2_f32.powi(octaves);
+        let terms = [(0.05, 2_u8), (-0.083_325, 3), (0.037_5, 4)]
+            .map(|(c, n)| (constant(c * unit * 2_f32.powi(20 * i32::from(n))), constant(f32::from(n))));
+        let gap = Polynomial::new(terms)?;
+        let load_integral = gap.load_integral(constant(2_f32.powi(-20))).re;
+        Ok(gap.radius(constant(load_integral).derivative())?.eps * unit)
+    };
+    let (found, expected) = (slope(-32)?, slope(28)?);
+    // The sizes of its terms are 2e4 times as large as the slope of J.
+    let error = relative_error(found.into(), expected.into(), f32::EPSILON.into());
+    assert!(error <= 2e4, "{found:e} instead of {expected:e}");
+    Ok(())
+}
+
 /// The derivatives of 1/d have factors 1/d² and 1/d³, which leave single precision long before a coefficient d does.
 #[test]
 fn small_coefficients_leave_second_derivatives_alone() -> Result<(), Failure> {
