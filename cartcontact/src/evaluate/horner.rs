@@ -38,7 +38,7 @@ pub fn quick_even_sum<T: Scalar, const N: usize>(r: T, lowest: u32, coefficients
     // One by one: a power of the square alone may overflow although the result does not.
     let even = (1..degree).fold(corrected, |sum, _| sum * square);
     let sum = if lowest % 2 == 1 { even * r } else { even };
-    // Beyond 2^996 the exact product overflows although r² does not.
+    // The exact product overflows beyond 2^996, where r² does not; and the degree times a value may, where the sum does not.
     if sum.is_finite() { sum } else { plain_even_sum(r, lowest, coefficients) }
 }
 
