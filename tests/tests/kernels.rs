@@ -1,6 +1,6 @@
 //! Laws that relate the functions of a geometry to each other, and generated solvers to polynomials.
 
-use cartcontact::{GapProfile, Polynomial, ProfileError, gap_profile};
+use cartcontact::{GapProfile, Polynomial, ProfileError, Scalar, gap_profile};
 use proptest::prelude::*;
 use tests::budget;
 use tests::condition::degree;
@@ -176,6 +176,35 @@ fn pressure_kernel_is_a_number_where_the_power_in_it_is_none() {
     let (a, r) = (86328.82540994423, 86328.82540901842);
     errors.add(Steep.pressure_kernel(a, r), kernel("63.9", a, r), 1.0, &(a, r));
     errors.check();
+}
+
+/// The product of the coefficient and the zero at the edge may leave the format, too.
+#[test]
+fn pressure_kernel_is_a_number_where_no_product_of_two_factors_is() -> Result<(), ProfileError> {
+    fn add<T: Scalar>(
+        errors: &mut Errors,
+        terms: &[(f64, f64)],
+        a: f64,
+        inset: f64,
+    ) -> Result<(), ProfileError> {
+        let profile = Polynomial::new(
+            terms.iter().map(|&(c, n)| (T::constant(c), T::constant(n))).collect::<Vec<_>>(),
+        )?;
+        let [a, r] = [a, a * (1.0 - inset)].map(T::constant);
+        let rounded: Vec<_> = profile.terms().iter().map(|&(c, n)| (c.value(), n.value())).collect();
+        let expected = Profile::of(&rounded).pressure_kernel(&exact(a.value()), &exact(r.value()));
+        errors.add(profile.pressure_kernel(a, r).value(), Exact::from(&expected), 1.0, &(terms, inset));
+        Ok(())
+    }
+    let (mut double, mut single) =
+        (Errors::of(budget::PRESSURE_KERNEL), Errors::of_single(budget::PRESSURE_KERNEL));
+    for inset in [1e-3, 1e-4, 1e-5] {
+        add::<f32>(&mut single, &[(1e-28, 2.0), (1e-36, 2.5)], 8.9e16, inset)?;
+        add::<f64>(&mut double, &[(1e-300, 300.0)], 107.8, 1e-4 * inset)?;
+    }
+    double.check();
+    single.check();
+    Ok(())
 }
 
 /// C aⁿ⁺² is out of range, but n times that is not.

@@ -26,7 +26,7 @@ const LONGEST_TENT: u32 = 72;
 pub(super) enum Order {
     /// Small coefficients keep their digits.
     PowerFirst,
-    /// No power is larger than the result; used where the product with K keeps its digits.
+    /// No power is larger than the result, or half of it comes first where the product with K would lose digits.
     ZeroFirst,
 }
 
@@ -49,13 +49,22 @@ impl<T: Scalar, A: Arithmetic<T>> Position<T, A> {
     pub(super) fn kernel_of_term<C: Coefficient<T>>(&self, (c, n): (C, Exponent<T>), order: Order) -> A {
         let (next, two) = (A::exponent(n.plus(2)), T::constant(2.0));
         let weight = number::<T, A>(c).over(next.times(next).times_word(two));
-        if let Order::ZeroFirst = order {
-            let factor = weight.times(self.kernel(n));
-            if factor.rounded().abs() >= smallest_normal() {
-                return self.times_power(factor, n);
-            }
+        match order {
+            Order::PowerFirst => self.times_power(weight, n).times(self.kernel(n)),
+            Order::ZeroFirst => self.zero_first(weight, n),
         }
-        self.times_power(weight, n).times(self.kernel(n))
+    }
+
+    /// `weight` K(q) a^(n+2).
+    fn zero_first(&self, weight: A, n: Exponent<T>) -> A {
+        let kernel = self.kernel(n);
+        let factor = weight.times(kernel);
+        if factor.rounded().abs() >= smallest_normal() {
+            return self.times_power(factor, n);
+        }
+        let half = n.whole / 2;
+        let factor = A::term(weight, self.a, n.plus(-half)).times_word(self.a).times(kernel);
+        A::term(factor, self.a, Exponent::whole(half)).times_word(self.a)
     }
 
     /// `factor` a^(n+2), in two steps: quick powers above the third take double words, too, and the exponents of most
