@@ -55,7 +55,10 @@ impl<T: Scalar, A: Arithmetic<T>> Position<T, A> {
         }
     }
 
-    /// `weight` K(q) a^(n+2).
+    /// `weight` K(q) a^(n+2), where a^(n+2) may be too large for the format, and K small.
+    ///
+    /// A weight may be so small that its product with K loses digits. Then half of the power comes before K: in digits,
+    /// that leads about half-way from the weight to its product with all of the power, which leaves room for K.
     fn zero_first(&self, weight: A, n: Exponent<T>) -> A {
         let kernel = self.kernel(n);
         let factor = weight.times(kernel);
