@@ -98,7 +98,7 @@ fn slope_of_the_first_peak_pressure_is_that_of_its_closed_form() -> Result<(), F
 }
 
 /// Radius, approach and pressure at 3 mm, after a ramp and a hold.
-fn results<T: Scalar>(profile: impl GapProfile<T>, permeability: T, force: T) -> Result<[T; 3], Failure> {
+fn results<T: Scalar>(profile: &impl GapProfile<T>, permeability: T, force: T) -> Result<[T; 3], Failure> {
     let constant = T::constant;
     let layer = Layer { thickness: constant(1.0), shear_modulus: constant(0.25), permeability };
     let load = PiecewiseLinear::new([(constant(0.0), force * constant(0.2)), (constant(30.0), force)])?;
@@ -121,23 +121,23 @@ fn or_nan(results: Result<[f64; 3], Failure>) -> [f64; 3] {
 
 #[test]
 fn slopes_with_respect_to_the_geometry_are_those_of_differences() -> Result<(), Failure> {
-    let dual = results(Ball { radius: variable(20.0) }, Dual64::from(2e-3), Dual64::from(100.0))?;
-    compare(dual, |radius| or_nan(results(Ball { radius }, 2e-3, 100.0)), 20.0);
+    let dual = results(&Ball { radius: variable(20.0) }, Dual64::from(2e-3), Dual64::from(100.0))?;
+    compare(dual, |radius| or_nan(results(&Ball { radius }, 2e-3, 100.0)), 20.0);
     Ok(())
 }
 
 #[test]
 fn slopes_with_respect_to_the_medium_are_those_of_differences() -> Result<(), Failure> {
-    let dual = results(Blunt, variable(2e-3), Dual64::from(100.0))?;
-    let plain = |permeability| or_nan(results(Blunt, permeability, 100.0));
+    let dual = results(&Blunt, variable(2e-3), Dual64::from(100.0))?;
+    let plain = |permeability| or_nan(results(&Blunt, permeability, 100.0));
     compare(dual, plain, 2e-3);
     Ok(())
 }
 
 #[test]
 fn slopes_with_respect_to_the_load_are_those_of_differences() -> Result<(), Failure> {
-    let dual = results(Blunt, Dual64::from(2e-3), variable(100.0))?;
-    compare(dual, |force| or_nan(results(Blunt, 2e-3, force)), 100.0);
+    let dual = results(&Blunt, Dual64::from(2e-3), variable(100.0))?;
+    compare(dual, |force| or_nan(results(&Blunt, 2e-3, force)), 100.0);
     Ok(())
 }
 
@@ -233,8 +233,8 @@ fn slope_with_respect_to_an_exponent_is_that_of_the_power() -> Result<(), Failur
 /// A dual number whose derivative is zero is a plain number.
 #[test]
 fn values_are_those_of_plain_numbers() -> Result<(), Failure> {
-    let plain = results(Blunt, 2e-3, 100.0)?;
-    let dual = results(Blunt, Dual64::from(2e-3), Dual64::from(100.0))?;
+    let plain = results(&Blunt, 2e-3, 100.0)?;
+    let dual = results(&Blunt, Dual64::from(2e-3), Dual64::from(100.0))?;
     assert_same(dual, plain);
     assert_eq!(dual.map(|result| result.eps), [0.0; 3]);
     Ok(())
@@ -268,8 +268,8 @@ fn from_nothing<T: Scalar>(rise: T) -> Rise<T> {
 
 /// The pressures at 0 mm and 3 mm, at a time.
 fn pressures<T: Scalar>(
-    profile: impl GapProfile<T>,
-    load: impl Load<T>,
+    profile: &impl GapProfile<T>,
+    load: &dyn Load<T>,
     t: f64,
 ) -> Result<[T; 2], ContactError> {
     let contact = joint(profile, 0.0015, load);
@@ -288,13 +288,13 @@ fn slopes_under_loads_from_nothing_are_those_of_differences() -> Result<(), Fail
         for t in [0.7, 20.0, 500.0] {
             let ramp = |force| PiecewiseLinear::new([(0.0, 0.0), (20.0, force)]);
             let dual_ramp = [(Dual64::from(0.0), Dual64::from(0.0)), (Dual64::from(20.0), variable(100.0))];
-            for (index, (smooth, straight)) in pressures(gap, from_nothing(variable(100.0)), t)?
+            for (index, (smooth, straight)) in pressures(&gap, &from_nothing(variable(100.0)), t)?
                 .into_iter()
-                .zip(pressures(gap, PiecewiseLinear::new(dual_ramp)?, t)?)
+                .zip(pressures(&gap, &PiecewiseLinear::new(dual_ramp)?, t)?)
                 .enumerate()
             {
-                let of_smooth = |force: f64| pressures(plain_gap, from_nothing(force), t);
-                let of_straight = |force: f64| pressures(plain_gap, ramp(force)?, t);
+                let of_smooth = |force: f64| pressures(&plain_gap, &from_nothing(force), t);
+                let of_straight = |force: f64| pressures(&plain_gap, &ramp(force)?, t);
                 let value = |found: Result<[f64; 2], ContactError>| found.map_or(f64::NAN, |p| p[index]);
                 for (dual, expected) in [
                     (smooth, slope(|force| value(of_smooth(force)), 100.0, 0.1)),

@@ -36,7 +36,7 @@ const ALLOWED: [f64; 2] = [5e-12, 6e-8];
 
 /// The pressures at a time, at all radii [each way](pressures_each_way).
 fn pressures<T: Scalar>(
-    profile: impl GapProfile<T>,
+    profile: &impl GapProfile<T>,
     chi: T,
     knots: &[(f64, f64)],
     time: f64,
@@ -45,7 +45,7 @@ fn pressures<T: Scalar>(
     let medium = Medium::from_constants(T::constant(0.375), chi)?;
     let load = PiecewiseLinear::new(knots.collect::<Vec<_>>())?;
     let undrained = Medium::from_constants(medium.m(), T::zero())?;
-    let edge = Contact::new(&profile, undrained, &load)?.at(T::constant(time))?.radius();
+    let edge = Contact::new(profile, undrained, &load)?.at(T::constant(time))?.radius();
     let radii = SHARES.map(|share| edge * T::constant(share));
     Ok(pressures_each_way(&Contact::new(profile, medium, load)?, time, &radii)?)
 }

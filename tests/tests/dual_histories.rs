@@ -88,9 +88,9 @@ const RADII: [f64; 4] = [0.0, 3.0, 6.0, 7.3];
 
 /// The pressures at a time, at all radii [each way](pressures_each_way).
 fn pressures<T: Scalar>(
-    profile: impl GapProfile<T>,
+    profile: &impl GapProfile<T>,
     chi: f64,
-    load: impl Load<T>,
+    load: &dyn Load<T>,
     time: f64,
 ) -> Result<Vec<T>, ContactError> {
     pressures_each_way(&joint(profile, chi, load), time, &RADII.map(T::constant))
@@ -119,9 +119,10 @@ fn compare(
 
 fn check<P: GapProfile<Dual64> + GapProfile<f64>>(profile: &P) -> Result<(), Failure> {
     for (name, history) in histories() {
-        let dual = |time| pressures(profile, history.chi, history.load(Dual64::from(0.0).derivative()), time);
+        let load = history.load(Dual64::from(0.0).derivative());
+        let dual = |time| pressures(profile, history.chi, &load, time);
         compare(name, &history, dual, |more, time| {
-            pressures(profile, history.chi, history.load(more), time)
+            pressures(profile, history.chi, &history.load(more), time)
         })?;
     }
     Ok(())
@@ -139,11 +140,11 @@ fn slopes_under_loads_of_a_users_own_are_those_under_knots() -> Result<(), Failu
         for is_linear in [true, false] {
             let dual = |time| {
                 let load = history.load(Dual64::from(0.0).derivative());
-                pressures(Patellofemoral, history.chi, Announced { load, is_linear }, time)
+                pressures(&Patellofemoral, history.chi, &Announced { load, is_linear }, time)
             };
             let plain = |more, time| {
                 let load: Knots = history.load(more);
-                pressures(Patellofemoral, history.chi, load, time)
+                pressures(&Patellofemoral, history.chi, &load, time)
             };
             compare(name, &history, dual, plain)?;
         }
@@ -157,9 +158,9 @@ fn slopes_without_drainage_are_those_of_the_closed_form() -> Result<(), Failure>
     let gap = Polynomial::new([(Dual64::from(0.025), Dual64::from(2.0))])?;
     let history = History::new(&[(0.0, 100.0), (200.0, 100.0)], &[1], &[]);
     let load = history.load(Dual64::from(0.0).derivative());
-    let contact = joint(gap, 0.0, &load);
+    let contact = joint(&gap, 0.0, &load as &dyn Load<_>);
     let a = contact.at(Dual64::from(200.0))?.radius().re;
-    for found in pressures(gap, 0.0, load, 200.0)?.chunks(RADII.len()) {
+    for found in pressures(&gap, 0.0, &load, 200.0)?.chunks(RADII.len()) {
         for (found, r) in found.iter().zip(RADII) {
             let slope = |r: f64| 0.375 * 0.025 / 4.0 * (a * a - r * r) * a * a / 600.0;
             let expected = slope(r);
@@ -177,10 +178,10 @@ fn second_derivatives_with_respect_to_a_step_are_those_of_differences() -> Resul
     let (_, history) = histories().swap_remove(3);
     for &time in &history.times[1..] {
         let h = 0.02;
-        let at = |steps: f64| pressures(Patellofemoral, CHI, history.load(steps * h), time);
+        let at = |steps: f64| pressures(&Patellofemoral, CHI, &history.load(steps * h), time);
         let values = [at(0.0)?, at(1.0)?, at(2.0)?, at(3.0)?, at(4.0)?, at(5.0)?];
         let load = history.load(Dual2_64::from(0.0).derivative());
-        for (place, dual) in pressures(Patellofemoral, CHI, load, time)?.into_iter().enumerate() {
+        for (place, dual) in pressures(&Patellofemoral, CHI, &load, time)?.into_iter().enumerate() {
             let expected = curvature(values.each_ref().map(|values| values[place]), h);
             let scale = values[0][0] / 1e4;
             assert!(
@@ -196,10 +197,10 @@ fn second_derivatives_with_respect_to_a_step_are_those_of_differences() -> Resul
 fn slopes_in_single_precision_are_those_in_double() -> Result<(), Failure> {
     for (name, history) in histories() {
         for &time in history.times {
-            let of = |load| pressures(Patellofemoral, history.chi, load, time);
-            let double = of(history.load(Dual64::from(0.0).derivative()))?;
+            let load = history.load(Dual64::from(0.0).derivative());
+            let double = pressures(&Patellofemoral, history.chi, &load, time)?;
             let load = history.load(Dual32::from(0.0).derivative());
-            let single = pressures(Patellofemoral, history.chi, load, time)?;
+            let single = pressures(&Patellofemoral, history.chi, &load, time)?;
             for (single, expected) in single.into_iter().zip(double) {
                 let error = (f64::from(single.eps) - expected.eps).abs() / (expected.re / 100.0 + 1e-3);
                 assert!(error <= SINGLE, "{name}, {time} s: {single} instead of {expected}");
