@@ -2,7 +2,6 @@
 
 pub mod budget;
 pub mod condition;
-pub mod differences;
 pub mod fractions;
 pub mod inversion;
 pub mod joint;

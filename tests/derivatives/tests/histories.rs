@@ -2,9 +2,9 @@
 
 use cartcontact::load::{Constant, Load};
 use cartcontact::{ContactError, GapProfile, Polynomial, Scalar};
+use derivatives::{curvature, slope};
 use num_dual::{Dual2_64, Dual32, Dual64};
 use tests::budget;
-use tests::differences::{curvature, slope};
 use tests::joint::{joint, pressures_each_way};
 use tests::loads::{Announced, Knots, Unannounced, through};
 use tests::measure::relative_error;

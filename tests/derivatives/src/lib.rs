@@ -1,4 +1,4 @@
-//! Derivatives by differences of values on one side.
+//! Derivatives by differences of values on one side, which the tests compare those of dual numbers with.
 
 /// The first derivative where the first of five values was taken, to fourth order in the `step` between them.
 #[must_use]

@@ -4,8 +4,8 @@
 
 use cartcontact::load::PiecewiseLinear;
 use cartcontact::{Contact, GapProfile, Medium, Scalar};
+use derivatives::{curvature, slope};
 use num_dual::Dual2_64;
-use tests::differences::{curvature, slope};
 use tests::joint::pressures_each_way;
 use tests::profiles::{Blunt, Patellofemoral};
 
