@@ -81,16 +81,8 @@ const _: () = {
             / __field_radius;
         [
             <__cartcontact::Precise<T, __FUSED>>::scaled(__inverse_radius, 0.5f64),
-            <__cartcontact::Precise<
-                T,
-                __FUSED,
-            >>::scaled(
-                ({
-                    let __base = __inverse_radius;
-                    __base * __base * __base
-                }),
-                0.125f64,
-            ),
+            <__cartcontact::Precise<T, __FUSED>>::scaled(__inverse_radius, 0.125f64)
+                * __inverse_radius * __inverse_radius,
         ]
     }
     static __TABLE: __cartcontact::Table = __cartcontact::Table {

@@ -1,6 +1,8 @@
 //! The functions of geometries with fields against the oracle, at random values of the fields and random radii that are
 //! the same in every run.
 
+use core::fmt::Debug;
+
 use cartcontact::{GapProfile, gap_profile};
 use tests::budget::FUNCTION_OF_FIELDS;
 use tests::kernel::{self, Kernel};
@@ -82,26 +84,44 @@ fn check<P: GapProfile<f64> + GapProfile<f32>>(
         let fields = [(); 3].map(|()| stream.magnitude(-1.0, 3.0));
         let a = stream.magnitude(-1.0, 2.0);
         let r = a * (1.0 - stream.magnitude(-6.0, 0.0));
-        let solver = profile(fields);
         let oracle = Profile::of_numbers(terms(fields.map(double)));
-        for Kernel { double: compute, oracle: define, .. } in kernel::ALL {
-            let expected = Exact::from(&define(&oracle, &double(a), &double(r)));
-            errors.add(compute(&solver, a, r), expected, 1.0, &(fields, a, r));
-        }
+        compare(&profile(fields), &oracle, (a, r), &fields, &mut errors);
         // The same in numbers that single precision holds.
-        let (fields, a, r) = (fields.map(single), a as f32, r as f32);
-        let solver = profile(fields);
+        let fields = fields.map(single);
         let oracle = Profile::of_numbers(terms(fields.map(double)));
-        for Kernel { single: compute, oracle: define, .. } in kernel::ALL {
-            let expected = Exact::from(&define(&oracle, &double(a.into()), &double(r.into())));
-            let is_in_range = (f64::from(f32::MIN_POSITIVE)..1e34).contains(&expected.nearest);
-            if is_in_range {
-                errors_of_single.add(compute(&solver, a, r).into(), expected, 1.0, &(fields, a, r));
-            }
-        }
+        compare_in_single(&profile(fields), &oracle, (a as f32, r as f32), &fields, &mut errors_of_single);
     }
     errors.check_worst();
     errors_of_single.check_worst();
+}
+
+fn compare(
+    profile: &dyn GapProfile<f64>,
+    oracle: &Profile,
+    (a, r): (f64, f64),
+    fields: &dyn Debug,
+    errors: &mut Errors,
+) {
+    for Kernel { double: compute, oracle: define, .. } in kernel::ALL {
+        let expected = Exact::from(&define(oracle, &double(a), &double(r)));
+        errors.add(compute(profile, a, r), expected, 1.0, &(fields, a, r));
+    }
+}
+
+fn compare_in_single(
+    profile: &dyn GapProfile<f32>,
+    oracle: &Profile,
+    (a, r): (f32, f32),
+    fields: &dyn Debug,
+    errors: &mut Errors,
+) {
+    for Kernel { single: compute, oracle: define, .. } in kernel::ALL {
+        let expected = Exact::from(&define(oracle, &double(a.into()), &double(r.into())));
+        let is_in_range = (f64::from(f32::MIN_POSITIVE)..1e34).contains(&expected.nearest);
+        if is_in_range {
+            errors.add(compute(profile, a, r).into(), expected, 1.0, &(fields, a, r));
+        }
+    }
 }
 
 fn single(x: f64) -> f64 {
@@ -172,4 +192,25 @@ fn powers_of_fields_are_not_rounded() {
             vec![(first, whole(2)), (power(b / whole(7), "2.2"), whole(4))]
         },
     );
+}
+
+/// R^−15 is infinite, but not 429/65536 of it, the coefficient of r^16.
+#[test]
+fn powers_of_an_inverse_may_leave_the_format() {
+    let [mut errors, mut errors_of_single] =
+        [Errors::of(FUNCTION_OF_FIELDS), Errors::of_single(FUNCTION_OF_FIELDS)];
+    let sphere =
+        |radius: f64| (shapes::Sphere { radius }, Profile::of_numbers(of_sphere(&double(radius), 8)));
+    for share in [0.2, 0.7, 0.9] {
+        let radius = 2.4e-21;
+        let (solver, oracle) = sphere(radius);
+        let a = share * radius;
+        compare(&solver, &oracle, (a, 0.5 * a), &radius, &mut errors);
+        let radius = single(2.3e-3);
+        let (solver, oracle) = sphere(radius);
+        let a = (share * radius) as f32;
+        compare_in_single(&solver, &oracle, (a, 0.5 * a), &radius, &mut errors_of_single);
+    }
+    errors.check();
+    errors_of_single.check();
 }

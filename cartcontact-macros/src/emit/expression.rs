@@ -8,6 +8,7 @@ use super::coefficients::{Coefficients, Digits, field_variable, inverse_variable
 use super::local;
 use crate::gap::coefficient::{Atom, Coefficient, Product, is_divisor};
 use crate::number::{Rational, integer};
+use crate::reading::name::unraw;
 
 impl Coefficients<'_> {
     /// An expression in the fields, over the variables that [`fields`](Self::fields) and [`inverses`](Self::inverses)
@@ -37,17 +38,22 @@ impl Coefficients<'_> {
 
     /// The product without the sign of its number.
     fn product(&self, product: &Product) -> TokenStream {
-        let (mut above, mut below) = (Vec::new(), Vec::new());
+        let (mut above, mut of_inverses, mut below) = (Vec::new(), Vec::new(), Vec::new());
+        let mut halves = TokenStream::new();
         for (atom, exponent) in product.powers.iter() {
             if !is_divisor(exponent) {
                 above.push(self.raised(self.base(atom), exponent));
-            } else if let Some(inverse) = self.shared_inverse(atom) {
-                above.push(self.raised(inverse, &exponent.abs()));
+            } else if let Some(field) = self.with_shared_inverse(atom) {
+                let (half, factors) = self.factors_of_inverse(field, &exponent.abs());
+                halves.extend(half);
+                of_inverses.extend(factors);
             } else {
                 below.push(self.raised(self.base(atom), &exponent.abs()));
             }
         }
+        above.extend(of_inverses);
         let above = self.weighted(&product.number.abs(), &above);
+        let above = if halves.is_empty() { above } else { quote!(({ #halves #above })) };
         match below.as_slice() {
             [] => above,
             [only] => quote!(#above / #only),
@@ -59,17 +65,16 @@ impl Coefficients<'_> {
     }
 
     fn weighted(&self, number: &Rational, factors: &[TokenStream]) -> TokenStream {
-        let product = multiplied(factors);
-        if factors.is_empty() {
-            self.number(number)
-        } else if number.is_one() {
-            product
-        } else if let Some(scaled) = self.scaled(number, &product) {
+        let [first, others @ ..] = factors else { return self.number(number) };
+        let start = if number.is_one() {
+            first.clone()
+        } else if let Some(scaled) = self.scaled(number, first) {
             scaled
         } else {
             let number = self.number(number);
-            quote!(#number * #product)
-        }
+            quote!(#number * #first)
+        };
+        quote!(#start #(* #others)*)
     }
 
     fn base(&self, atom: &Atom) -> TokenStream {
@@ -82,13 +87,30 @@ impl Coefficients<'_> {
         }
     }
 
-    /// The variable that holds the inverse of a field, to multiply with instead of a division.
-    fn shared_inverse(&self, atom: &Atom) -> Option<TokenStream> {
+    /// The field, if a variable holds its inverse, to multiply with instead of a division.
+    fn with_shared_inverse<'b>(&self, atom: &'b Atom) -> Option<&'b Ident> {
         match atom {
-            Atom::Field { ident, .. } if self.shares_inverse(ident) => {
-                Some(inverse_variable(ident).into_token_stream())
-            }
+            Atom::Field { ident, .. } if self.shares_inverse(ident) => Some(ident),
             _ => None,
+        }
+    }
+
+    /// A power of the inverse of a field as factors, and what binds one of them.
+    ///
+    /// The power alone may be infinite where its product with a number is not, as that of 1e-5/c² at c = 1e-155. What
+    /// becomes of the number by one of these factors after the other lies between it and the product.
+    fn factors_of_inverse(&self, field: &Ident, exponent: &Rational) -> (TokenStream, Vec<TokenStream>) {
+        let inverse = inverse_variable(field).into_token_stream();
+        match exponent.to_u32() {
+            Some(count @ ..=3) => (TokenStream::new(), (0..count).map(|_| inverse.clone()).collect()),
+            Some(count) => {
+                let half = local(&format!("half_power_of_{}", unraw(field))).into_token_stream();
+                let value = self.raised(inverse.clone(), &integer(count / 2));
+                let mut factors = vec![half.clone(), half.clone()];
+                factors.extend((!count.is_multiple_of(2)).then_some(inverse));
+                (quote!(let #half = #value;), factors)
+            }
+            None => (TokenStream::new(), vec![self.raised(inverse, exponent)]),
         }
     }
 
@@ -169,9 +191,16 @@ mod tests {
 
     #[test]
     fn inverses_replace_divisions_where_there_are_several() {
-        let cube = "({ let __base = __inverse_a ; __base * __base * __base })";
-        let quotient = format!("Precise :: scaled ({cube} , 0.5f64) / b");
+        let quotient = "Precise :: scaled (__inverse_a , 0.5f64) * __inverse_a * __inverse_a / b";
         assert_eq!(code("r^2 / (2 * b * a^3) + r^4 / a", Digits::OfTwo), quotient);
+    }
+
+    /// The fifth power alone may be infinite.
+    #[test]
+    fn powers_of_inverses_are_multiplied_in_parts() {
+        let half = "let __half_power_of_a = ({ let __base = __inverse_a ; __base * __base }) ;";
+        let product = "b * __half_power_of_a * __half_power_of_a * __inverse_a";
+        assert_eq!(code("r^2 * b / a^5 + r^4 / a", Digits::OfTwo), format!("({{ {half} {product} }})"));
     }
 
     #[test]
