@@ -30,6 +30,8 @@ use crate::numbers::bits::nearest_integer;
 ///   zero or off by a factor as well as NaN. In SI units m is 1e14 to 1e17;
 /// - with respect to the coefficient of rⁿ, also those of radius and approach, where aⁿ⁺⁴ comes near the end of the
 ///   format, as in `f32` in µm for r⁶ and higher powers: NaN;
+/// - those of a radius from a load integral below the normal numbers or within a factor 6 of the largest number: zero or
+///   infinite, and where they make the radius no number it is refused;
 /// - those with respect to a parameter that changes a user-defined force strongly while the force itself hardly varies,
 ///   such as b in F (1 − b e^(−t/τ)) at b = 0 with a short τ, or bends a force whose value is straight or a parabola,
 ///   such as p in F t^p at p = 1 (off by 3e-5) or 2 (off by 2e-9, second ones by 1e-7), because the values alone decide

@@ -24,7 +24,8 @@ pub enum RadiusError {
         /// The contact radius that belongs to it, in mm.
         max_radius: f64,
     },
-    /// Terms of both signs cancel to the load integral, but they or those of a J′ are too large for the format.
+    /// Terms of both signs cancel to the load integral, but they or those of a J′ are too large for the format; or the
+    /// load integral is so near an end of the format that the derivatives of its radius are not numbers.
     Unrepresentable {
         /// What was given, in mm⁵.
         load_integral: f64,
@@ -70,8 +71,8 @@ impl fmt::Display for RadiusError {
             ),
             Self::Unrepresentable { load_integral } => write!(
                 f,
-                "the load integral {} is a difference of terms that are too large for the format; choose units in \
-                 which force and length are nearer to 1",
+                "the load integral {} is a difference of terms that are too large for the format, or its radius has \
+                 derivatives that are; choose units in which force and length are nearer to 1",
                 Shown(load_integral)
             ),
             Self::Length { load_integrals, radii } => write!(

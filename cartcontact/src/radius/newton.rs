@@ -42,7 +42,7 @@ use crate::scalar::{has_no_derivatives, lesser, without_derivatives};
 /// # Errors
 ///
 /// [`RadiusError`] if `target` is negative or not finite, or exceeds J(`limit`), and where terms of a J′ have both signs
-/// and leave the format.
+/// and leave the format, or derivatives do.
 #[inline]
 pub fn invert<T: Scalar>(
     mut target: T,
@@ -89,10 +89,15 @@ pub fn invert<T: Scalar>(
     }
     // The reciprocal of a slope may leave the format, if that is not divided by a power of two near y.
     let (_, exponent) = split(target);
-    Ok(with_derivatives(radius, |a| {
+    let radius = with_derivatives(radius, |a| {
         let (value, log_slope) = evaluate(a);
         (scale(value - target, -exponent), scale(without_derivatives(log_slope), -exponent).recip())
-    }))
+    });
+    // J or a J′ may leave the format where y is at an end of it, and infinite derivatives make the value no number.
+    if radius.value().is_nan() {
+        return Err(RadiusError::Unrepresentable { load_integral: target.value() });
+    }
+    Ok(radius)
 }
 
 /// A radius of which J is not below `target`, from `high` on; none if J falls further than it has to rise, as that of a

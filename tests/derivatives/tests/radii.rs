@@ -218,6 +218,22 @@ fn radii_of_tiny_and_huge_load_integrals_have_all_derivatives() -> Result<(), Ra
     Ok(())
 }
 
+/// Infinite derivatives would make the radius no number.
+#[test]
+fn radii_of_load_integrals_at_the_ends_of_the_format_are_refused() -> Result<(), ProfileError> {
+    let terms = [(0.2, 0.7), (0.03, 1.7), (2e-3, 3.1)].map(|(c, n)| (Dual64::from(c), Dual64::from(n)));
+    let gap = Polynomial::new(terms)?;
+    let mut refused = 0;
+    for y in [5e-324, 1e-310, 1e-300, 1e300, 1e308, f64::MAX] {
+        let found = gap.radius(Dual64::from(y).derivative());
+        let is_refused = found == Err(RadiusError::Unrepresentable { load_integral: y });
+        assert!(is_refused || found.as_ref().is_ok_and(|found| !found.re.is_nan()), "{y:e}: {found:?}");
+        refused += u32::from(is_refused);
+    }
+    assert!(refused > 0);
+    Ok(())
+}
+
 /// Of constants only the load integral has derivatives.
 #[test]
 fn radii_of_constants_have_the_values_of_plain_numbers_and_all_derivatives() -> Result<(), RadiusError> {
