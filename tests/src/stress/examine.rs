@@ -323,6 +323,11 @@ impl<T: Precision> Examination<'_, T> {
         if !(force > T::LEAST / T::EPSILON && greatest < T::MOST / 16.0 && greatest > T::LEAST / T::EPSILON) {
             return;
         }
+        // What the kernel of a high power is multiplied up from is smaller than the kernel by as much.
+        let highest = self.contact.profile().highest_exponent().value();
+        if greatest / self.scene.m.value() / (2.0 * (highest + 2.0).powi(2)) < T::LEAST {
+            return;
+        }
         let mut borders = vec![0.0];
         for &(time, _) in self.scene.knots.iter().filter(|knot| knot.0 <= self.scene.time) {
             // An earlier contact may be refused, and the kink at its edge is then anywhere.
