@@ -133,6 +133,27 @@ fn pressure_of_powers_near_the_zeroth_carries_the_load() -> Result<(), Box<dyn c
     Ok(())
 }
 
+/// Once a held load has reached where the high power begins, ages grow hundreds of times as fast there as before.
+#[test]
+fn pressure_of_very_high_powers_carries_the_load() -> Result<(), Box<dyn core::error::Error>> {
+    let mut errors = Errors::of(budget::BALANCE);
+    let rule = Graded::new(16, 12);
+    for n in [64.0, 200.0, 400.0, 720.0, 1000.0] {
+        for terms in [&[(6e-7, n), (4e-6, 2.0)][..], &[(6e-7, n), (4e-6, 0.5), (-1.5e-7, 9.5)]] {
+            let contact = joint(Polynomial::new(terms)?, 0.13, Constant(2.5e-9));
+            let start = contact.at(0.0)?.radius();
+            for t in [20.0_f64, 100.0, 300.0, 500.0] {
+                let now = contact.at(t)?;
+                let carried = |from, to| rule.integrate(from, to, |r| now.pressure(r) * r);
+                let load = TAU * (carried(0.0, start) + carried(start, now.radius()));
+                errors.add(load, now.force(), 1.0, &(n, terms, t));
+            }
+        }
+    }
+    errors.check();
+    Ok(())
+}
+
 fn check_load(name: &str, load: &dyn Load<f64>, times: &[f64]) {
     errors_under(name, load, times).check();
 }

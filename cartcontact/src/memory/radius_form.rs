@@ -214,10 +214,12 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
     fn folds_per_length(&self, depth: T, age: T) -> (T, T) {
         let profile = self.contact.profile();
         let top = self.high - depth;
-        // The rate at which ages grow, from the first 64th of what is left.
-        let step = (top - self.low) * T::constant(1.0 / 64.0);
+        let n = profile.highest_exponent();
+        // The rate at which ages grow, from the first 64th of what is left, and before a high power has fallen off.
+        let step =
+            ((top - self.low) * T::constant(1.0 / 64.0)).min(top * T::constant(0.5) / (n + T::constant(4.0)));
         // δ₀′ (s² − low²); a high power may add little here, but no short rule integrates it.
-        let powers = (profile.highest_exponent() + T::one()) / top;
+        let powers = (n + T::one()) / top;
         let fading = (self.age_at(depth + step) - age) / step;
         let of_singularity =
             self.singularity(top).map_or(T::zero(), |distance| T::constant(FOLDS_AT_DISTANCE) / distance);
