@@ -64,6 +64,12 @@ mod shapes {
         pub(super) first: f64,
         pub(super) second: f64,
     }
+    #[gap_profile(b / (c^5 * d^5) * r^2 + r^4 / c + r^6 / d)]
+    pub(super) struct ManyDivisors {
+        pub(super) b: f64,
+        pub(super) c: f64,
+        pub(super) d: f64,
+    }
     // The base 3 (b + d) has all its digits, and the second exponent is no multiple of 1/4.
     #[gap_profile((3 * (b + d))^-1.5 * r^2 + (b / 7)^2.2 * r^4)]
     pub(super) struct Powers {
@@ -210,6 +216,31 @@ fn powers_of_an_inverse_may_leave_the_format() {
         let (solver, oracle) = sphere(radius);
         let a = (share * radius) as f32;
         compare_in_single(&solver, &oracle, (a, 0.5 * a), &radius, &mut errors_of_single);
+    }
+    errors.check();
+    errors_of_single.check();
+}
+
+/// Neither b/c⁵ nor b/d⁵ need be in the format, as c⁵ d⁵ is.
+#[test]
+fn products_of_divisors_need_no_quotient_on_the_way() {
+    let [mut errors, mut errors_of_single] =
+        [Errors::of(FUNCTION_OF_FIELDS), Errors::of_single(FUNCTION_OF_FIELDS)];
+    let shape = |fields: [f64; 3]| {
+        let ([b, c, d], [exact_b, exact_c, exact_d]) = (fields, fields.map(double));
+        let fifth = |x: &Real| x * x * x * x * x;
+        let first = exact_b / (fifth(&exact_c) * fifth(&exact_d));
+        let terms = [(first, whole(2)), (whole(1) / exact_c, whole(4)), (whole(1) / exact_d, whole(6))];
+        (shapes::ManyDivisors { b, c, d }, Profile::of_numbers(terms.to_vec()))
+    };
+    for (b, [c, d]) in [(3e6, [1e-7, 5e6]), (3e6, [5e6, 1e-7]), (3e-6, [1e-7, 5e6]), (3e-6, [5e6, 1e-7])] {
+        let (a, r) = (1.3, 0.6);
+        let fields = [b, c, d].map(single);
+        let (solver, oracle) = shape(fields);
+        compare_in_single(&solver, &oracle, (a as f32, r as f32), &fields, &mut errors_of_single);
+        let fields = [b.powi(6), c.powi(8), d.powi(8)];
+        let (solver, oracle) = shape(fields);
+        compare(&solver, &oracle, (a, r), &fields, &mut errors);
     }
     errors.check();
     errors_of_single.check();

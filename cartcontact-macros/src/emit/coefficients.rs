@@ -308,11 +308,11 @@ impl<'a> Coefficients<'a> {
         quote!(#(#bindings)*)
     }
 
-    /// Whether the coefficients have several divisions by powers of a field. Its inverse replaces them where its
+    /// Whether the coefficients have several divisions by powers of a field alone. Its inverse replaces them where its
     /// rounding does not count: a division of double words takes as much as two products. That of a subnormal field
     /// may be infinite.
     pub(super) fn shares_inverse(&self, field: &Ident) -> bool {
-        let divisors = self.symbolic().flat_map(|(_, coefficient)| coefficient.divisors());
+        let divisors = self.symbolic().flat_map(|(_, coefficient)| coefficient.only_divisors());
         self.digits == Digits::OfTwo && divisors.filter(|divisor| *divisor == field).count() > 1
     }
 

@@ -40,10 +40,11 @@ impl Coefficients<'_> {
     fn product(&self, product: &Product) -> TokenStream {
         let (mut above, mut of_inverses, mut below) = (Vec::new(), Vec::new(), Vec::new());
         let mut halves = TokenStream::new();
+        let with_shared_inverse = self.with_shared_inverse(product);
         for (atom, exponent) in product.powers.iter() {
             if !is_divisor(exponent) {
                 above.push(self.raised(self.base(atom), exponent));
-            } else if let Some(field) = self.with_shared_inverse(atom) {
+            } else if let Some(field) = with_shared_inverse {
                 let (half, factors) = self.factors_of_inverse(field, &exponent.abs());
                 halves.extend(half);
                 of_inverses.extend(factors);
@@ -87,12 +88,10 @@ impl Coefficients<'_> {
         }
     }
 
-    /// The field, if a variable holds its inverse, to multiply with instead of a division.
-    fn with_shared_inverse<'b>(&self, atom: &'b Atom) -> Option<&'b Ident> {
-        match atom {
-            Atom::Field { ident, .. } if self.shares_inverse(ident) => Some(ident),
-            _ => None,
-        }
+    /// The only divisor, if a variable holds its inverse, to multiply with instead of a division. Inverses of several
+    /// divisors, one after the other, may leave the format where the product of these divisors does not.
+    fn with_shared_inverse<'b>(&self, product: &'b Product) -> Option<&'b Ident> {
+        product.only_divisor().filter(|field| self.shares_inverse(field))
     }
 
     /// A power of the inverse of a field as factors, and what binds one of them.
@@ -191,8 +190,15 @@ mod tests {
 
     #[test]
     fn inverses_replace_divisions_where_there_are_several() {
-        let quotient = "Precise :: scaled (__inverse_a , 0.5f64) * __inverse_a * __inverse_a / b";
-        assert_eq!(code("r^2 / (2 * b * a^3) + r^4 / a", Digits::OfTwo), quotient);
+        let quotient = "Precise :: scaled (b , 0.5f64) * __inverse_a * __inverse_a * __inverse_a";
+        assert_eq!(code("r^2 * b / (2 * a^3) + r^4 / a", Digits::OfTwo), quotient);
+    }
+
+    /// 1/a alone may be infinite or zero where 1/(a b) is neither.
+    #[test]
+    fn several_divisors_are_multiplied_first() {
+        let quotient = "Precise :: constant (1.0 , 0.0) / (a * b)";
+        assert_eq!(code("r^2 / (a * b) + r^4 / a + r^6 / a^2", Digits::OfTwo), quotient);
     }
 
     /// The fifth power alone may be infinite.

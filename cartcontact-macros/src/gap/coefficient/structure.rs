@@ -3,7 +3,7 @@
 use num_traits::One;
 use proc_macro2::Ident;
 
-use super::{Atom, Coefficient};
+use super::{Atom, Coefficient, Product};
 use crate::number::{self, Rational};
 
 impl Coefficient {
@@ -30,13 +30,10 @@ impl Coefficient {
         })
     }
 
-    /// The fields whose integer powers are divisors, each as often as it is written.
-    pub(crate) fn divisors(&self) -> Vec<&Ident> {
-        let fields = self.powers().flat_map(|(atom, exponent)| match atom {
-            Atom::Field { ident, .. } => is_divisor(exponent).then_some(ident).into_iter().collect(),
-            Atom::Sum(inner) => inner.divisors(),
-        });
-        fields.collect()
+    /// The fields whose integer powers are the only divisor of a product, each as often as it is written.
+    pub(crate) fn only_divisors(&self) -> Vec<&Ident> {
+        let own = self.products.iter().filter_map(Product::only_divisor);
+        own.chain(self.sums().flat_map(Coefficient::only_divisors)).collect()
     }
 
     /// The fields and sums whose positive powers, and whose negative ones, are multiplied in it; none if it is a sum
@@ -92,6 +89,17 @@ impl Coefficient {
     }
 }
 
+impl Product {
+    /// The field of which an integer power is the only divisor.
+    pub(crate) fn only_divisor(&self) -> Option<&Ident> {
+        let mut divisors = self.powers.iter().filter(|(_, exponent)| is_divisor(exponent));
+        match (divisors.next()?, divisors.next()) {
+            ((Atom::Field { ident, .. }, _), None) => Some(ident),
+            _ => None,
+        }
+    }
+}
+
 /// Whether a power with that exponent is a quotient.
 pub(crate) fn is_divisor(exponent: &Rational) -> bool {
     exponent.is_integer() && exponent.is_negative()
@@ -106,10 +114,11 @@ mod tests {
         let [a, b] = ["a", "b"].map(field);
         let difference = inverse(&a).add(&inverse(&b).negated());
         let quotient = difference.multiply(&power(&a, -3, 1));
-        let names: Vec<String> = quotient.divisors().into_iter().map(ToString::to_string).collect();
+        let names: Vec<String> = quotient.only_divisors().into_iter().map(ToString::to_string).collect();
         assert_eq!(names, ["a", "a", "b"]);
+        assert!(inverse(&a.multiply(&b)).only_divisors().is_empty());
         assert!(!quotient.has_root() && power(&quotient, 1, 2).has_root());
-        assert!(power(&a, -1, 2).divisors().is_empty());
+        assert!(power(&a, -1, 2).only_divisors().is_empty());
     }
 
     #[test]
