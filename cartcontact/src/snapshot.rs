@@ -110,8 +110,8 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
     ///
     /// Within 8 units in the last place times 1 + 2a/(a − r), which is how far rounding the radius alone moves the
     /// result. Where terms of both signs cancel, that is multiplied by the largest Σ|terms of J|/(a J′) of the radii so
-    /// far and, once the load has fallen, by Y/F as well. Digits are lost where P/m or a coefficient, divided by 2 (n+2)²,
-    /// is less than the smallest normal number, with the exponent n.
+    /// far and, once the load has fallen, by Y/F as well. Digits are lost where P/m is less than 2 (n+2)² times the
+    /// smallest normal number, with the highest exponent n.
     ///
     /// # Examples
     ///

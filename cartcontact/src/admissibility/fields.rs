@@ -41,12 +41,13 @@ pub fn check_range_of_fields<T: Scalar, const N: usize>(
 }
 
 /// Checks that the coefficient C of a term (C, n) is not zero, as if the term were absent, because the format has rounded
-/// a product in it to zero, one of `factors` and inverses of `divisors`. Products that cancel are no fault.
+/// a product in it to zero, one of `factors` and inverses of `divisors`, or a product that it is divided by to infinity.
+/// Products that cancel are no fault.
 ///
 /// # Errors
 ///
 /// [`ProfileError::InvalidCoefficient`] if C is zero and the product, too, or below the normal numbers, although no
-/// factor is zero and no divisor infinite.
+/// factor is zero and no divisor infinite; or if the product is infinite although no factor is and no divisor is zero.
 #[inline]
 pub fn check_product<T: Scalar, const FACTORS: usize, const DIVISORS: usize>(
     (c, n): (T, T),
@@ -55,7 +56,11 @@ pub fn check_product<T: Scalar, const FACTORS: usize, const DIVISORS: usize>(
     divisors: [T; DIVISORS],
 ) -> Result<(), ProfileError> {
     let is_absent = || factors.iter().any(T::is_zero) || divisors.iter().any(|divisor| !divisor.is_finite());
-    let is_rounded = || product().abs() < smallest_normal() && !is_absent();
+    let is_infinite = || !factors.iter().all(T::is_finite) || divisors.iter().any(T::is_zero);
+    let is_rounded = || {
+        let product = product();
+        if product.is_finite() { product.abs() < smallest_normal() && !is_absent() } else { !is_infinite() }
+    };
     if c.is_zero() && out_of_line(is_rounded) { Err(invalid(c, n)) } else { Ok(()) }
 }
 
@@ -85,6 +90,10 @@ mod tests {
         assert!(!check((-0.0, -0.0), [1.0, -1.0], [f64::MAX]));
         assert!(check((0.0, 0.0), [1.0, 0.0], [1.0]));
         assert!(check((0.0, 0.0), [1.0, 1.0], [f64::INFINITY]));
+        // Products that the coefficient is divided by.
+        assert!(!check((0.0, f64::INFINITY), [1e200, 1e200], [1.0]));
+        assert!(check((0.0, f64::INFINITY), [1e200, f64::INFINITY], [1.0]));
+        assert!(check((0.0, f64::INFINITY), [1.0, 1.0], [0.0]));
         // What cancels is left out, unless it is nothing but rounding.
         assert!(check((0.0, 1e-300), [1e-150, 1e-150], [1.0]));
         assert!(!check((0.0, -5e-324), [1e-162, -5e-162], [1.0]));

@@ -40,8 +40,8 @@ use crate::quadrature::Rule;
 /// the last place, whatever their exponents. Where terms of both signs cancel, this bound is multiplied by the
 /// condition number Σ|terms|/|sum|. At the ends of the range of numbers only plain arithmetic is possible, within 8 ε:
 /// where a result is above 6e299, or 4e34 in f32, and where a result or a power on the way is hardly larger than the
-/// smallest normal number. Digits are lost where a coefficient or a result, divided by 2 (n+2)², is less than that, with
-/// the exponent n. If terms of both signs overflow, the result is NaN.
+/// smallest normal number. Digits are lost where a coefficient, which [`check`](Self::check) refuses then, or a result is
+/// less than 2 (n+2)² times that, with the exponent n. If terms of both signs overflow, the result is NaN.
 ///
 /// Coefficients that depend on fields are not rounded, if `T` can hold the fields: their products, quotients and powers
 /// are computed with twice the digits, except fractional powers of dual numbers. Fractional powers such as a^-1.3 have

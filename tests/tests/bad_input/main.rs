@@ -4,6 +4,7 @@ mod formats;
 mod geometries;
 mod loads;
 mod media;
+mod products;
 
 use core::fmt::{Debug, Display};
 
