@@ -8,7 +8,6 @@ use super::coefficients::{Coefficients, Digits, field_variable, inverse_variable
 use super::local;
 use crate::gap::coefficient::{Atom, Coefficient, Product, is_divisor};
 use crate::number::{Rational, integer};
-use crate::reading::name::unraw;
 
 impl Coefficients<'_> {
     /// An expression in the fields, over the variables that [`fields`](Self::fields) and [`inverses`](Self::inverses)
@@ -38,23 +37,19 @@ impl Coefficients<'_> {
 
     /// The product without the sign of its number.
     fn product(&self, product: &Product) -> TokenStream {
-        let (mut above, mut of_inverses, mut below) = (Vec::new(), Vec::new(), Vec::new());
-        let mut halves = TokenStream::new();
-        let with_shared_inverse = self.with_shared_inverse(product);
+        let number = product.number.abs();
+        let (mut above, mut below) = (Vec::new(), Vec::new());
         for (atom, exponent) in product.powers.iter() {
-            if !is_divisor(exponent) {
-                above.push(self.raised(self.base(atom), exponent));
-            } else if let Some(field) = with_shared_inverse {
-                let (half, factors) = self.factors_of_inverse(field, &exponent.abs());
-                halves.extend(half);
-                of_inverses.extend(factors);
-            } else {
+            if is_divisor(exponent) {
                 below.push(self.raised(self.base(atom), &exponent.abs()));
+            } else {
+                above.push(self.raised(self.base(atom), exponent));
             }
         }
-        above.extend(of_inverses);
-        let above = self.weighted(&product.number.abs(), &above);
-        let above = if halves.is_empty() { above } else { quote!(({ #halves #above })) };
+        if let Some((field, exponent)) = self.with_shared_inverse(product) {
+            return self.times_power_of_inverse(&number, above, field, &exponent.abs());
+        }
+        let above = self.weighted(&number, &above);
         match below.as_slice() {
             [] => above,
             [only] => quote!(#above / #only),
@@ -90,27 +85,35 @@ impl Coefficients<'_> {
 
     /// The only divisor, if a variable holds its inverse, to multiply with instead of a division. Inverses of several
     /// divisors, one after the other, may leave the format where the product of these divisors does not.
-    fn with_shared_inverse<'b>(&self, product: &'b Product) -> Option<&'b Ident> {
-        product.only_divisor().filter(|field| self.shares_inverse(field))
+    fn with_shared_inverse<'b>(&self, product: &'b Product) -> Option<(&'b Ident, &'b Rational)> {
+        product.only_divisor().filter(|(field, _)| self.shares_inverse(field))
     }
 
-    /// A power of the inverse of a field as factors, and what binds one of them.
+    /// The product of a number, factors, and a power of the inverse of a field.
     ///
-    /// The power alone may be infinite where its product with a number is not, as that of 1e-5/c² at c = 1e-155. What
-    /// becomes of the number by one of these factors after the other lies between it and the product.
-    fn factors_of_inverse(&self, field: &Ident, exponent: &Rational) -> (TokenStream, Vec<TokenStream>) {
+    /// That power alone may be infinite where the product is not, as 1e-5/c² at c = 1e-155. It is multiplied in parts,
+    /// after which the product so far lies between that of the other factors and the whole one.
+    fn times_power_of_inverse(
+        &self,
+        number: &Rational,
+        mut factors: Vec<TokenStream>,
+        field: &Ident,
+        exponent: &Rational,
+    ) -> TokenStream {
         let inverse = inverse_variable(field).into_token_stream();
         match exponent.to_u32() {
-            Some(count @ ..=3) => (TokenStream::new(), (0..count).map(|_| inverse.clone()).collect()),
+            Some(count @ ..=3) => factors.extend((0..count).map(|_| inverse.clone())),
             Some(count) => {
-                let half = local(&format!("half_power_of_{}", unraw(field))).into_token_stream();
+                let half = local("half").into_token_stream();
                 let value = self.raised(inverse.clone(), &integer(count / 2));
-                let mut factors = vec![half.clone(), half.clone()];
+                factors.extend([half.clone(), half.clone()]);
                 factors.extend((!count.is_multiple_of(2)).then_some(inverse));
-                (quote!(let #half = #value;), factors)
+                let product = self.weighted(number, &factors);
+                return quote!(({ let #half = #value; #product }));
             }
-            None => (TokenStream::new(), vec![self.raised(inverse, exponent)]),
+            None => factors.push(self.raised(inverse, exponent)),
         }
+        self.weighted(number, &factors)
     }
 
     fn raised(&self, base: TokenStream, exponent: &Rational) -> TokenStream {
@@ -204,8 +207,8 @@ mod tests {
     /// The fifth power alone may be infinite.
     #[test]
     fn powers_of_inverses_are_multiplied_in_parts() {
-        let half = "let __half_power_of_a = ({ let __base = __inverse_a ; __base * __base }) ;";
-        let product = "b * __half_power_of_a * __half_power_of_a * __inverse_a";
+        let half = "let __half = ({ let __base = __inverse_a ; __base * __base }) ;";
+        let product = "b * __half * __half * __inverse_a";
         assert_eq!(code("r^2 * b / a^5 + r^4 / a", Digits::OfTwo), format!("({{ {half} {product} }})"));
     }
 

@@ -32,7 +32,7 @@ impl Coefficient {
 
     /// The fields whose integer powers are the only divisor of a product, each as often as it is written.
     pub(crate) fn only_divisors(&self) -> Vec<&Ident> {
-        let own = self.products.iter().filter_map(Product::only_divisor);
+        let own = self.products.iter().filter_map(|product| Some(product.only_divisor()?.0));
         own.chain(self.sums().flat_map(Coefficient::only_divisors)).collect()
     }
 
@@ -90,11 +90,11 @@ impl Coefficient {
 }
 
 impl Product {
-    /// The field of which an integer power is the only divisor.
-    pub(crate) fn only_divisor(&self) -> Option<&Ident> {
+    /// The field of which an integer power is the only divisor, and the exponent.
+    pub(crate) fn only_divisor(&self) -> Option<(&Ident, &Rational)> {
         let mut divisors = self.powers.iter().filter(|(_, exponent)| is_divisor(exponent));
         match (divisors.next()?, divisors.next()) {
-            ((Atom::Field { ident, .. }, _), None) => Some(ident),
+            ((Atom::Field { ident, .. }, exponent), None) => Some((ident, exponent)),
             _ => None,
         }
     }
