@@ -3,7 +3,7 @@
 use core::f64::consts::{FRAC_PI_4, TAU};
 
 use cartcontact::load::{Constant, Load, PiecewiseLinear};
-use cartcontact::{ContactError, GapProfile, Polynomial};
+use cartcontact::{ContactError, GapProfile, Polynomial, Snapshot};
 use tests::budget;
 use tests::joint::joint;
 use tests::loads::{Fall, Rise, Swing, histories, through};
@@ -103,8 +103,7 @@ fn pressure_carries_a_step_after_a_long_history() -> Result<(), Box<dyn core::er
             let contact = joint(Polynomial::new([(0.025, 2.0), (1e-4, 4.0)])?, 1.0, load);
             let now = contact.at(end)?;
             let start = contact.at(0.0)?.radius();
-            let carried = |from, to| rule.integrate(from, to, |r| now.pressure(r) * r);
-            let carried = TAU * (carried(0.0, start) + carried(start, now.radius()));
+            let carried = force_between(&now, &[0.0, start, now.radius()], &rule);
             errors.add(carried, now.force(), 1.0, &(held, duration));
         }
     }
@@ -144,9 +143,8 @@ fn pressure_of_very_high_powers_carries_the_load() -> Result<(), Box<dyn core::e
             let start = contact.at(0.0)?.radius();
             for t in [20.0_f64, 100.0, 300.0, 500.0] {
                 let now = contact.at(t)?;
-                let carried = |from, to| rule.integrate(from, to, |r| now.pressure(r) * r);
-                let load = TAU * (carried(0.0, start) + carried(start, now.radius()));
-                errors.add(load, now.force(), 1.0, &(n, terms, t));
+                let carried = force_between(&now, &[0.0, start, now.radius()], &rule);
+                errors.add(carried, now.force(), 1.0, &(n, terms, t));
             }
         }
     }
@@ -192,10 +190,19 @@ fn carried(case: Case, load: &dyn Load<f64>, t: f64, times: Vec<f64>, rule: &Gra
         let mut borders = vec![0.0];
         borders.extend(radii_at(times, case.double, load, contact.medium().m() * FRAC_PI_4));
         borders.push(now.radius());
-        let shares = borders.windows(2).map(|ends| rule.integrate(ends[0], ends[1], |r| now.pressure(r) * r));
-        Ok(TAU * shares.sum::<f64>())
+        Ok(force_between(&now, &borders, rule))
     };
     solve().unwrap_or_else(|error: ContactError| unreachable!("{case:?}, {t}: {error}"))
+}
+
+/// 2π ∫ P r dr over radii between the first and the last of `borders`, between which P is smooth.
+fn force_between<P: GapProfile<f64>, L: Load<f64>>(
+    now: &Snapshot<'_, f64, P, L>,
+    borders: &[f64],
+    rule: &Graded,
+) -> f64 {
+    let shares = borders.windows(2).map(|ends| rule.integrate(ends[0], ends[1], |r| now.pressure(r) * r));
+    TAU * shares.sum::<f64>()
 }
 
 /// The times between which the pressure is smooth.
