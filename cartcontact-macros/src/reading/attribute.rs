@@ -57,7 +57,7 @@ pub(crate) fn parse(tokens: TokenStream, diagnostics: &mut Diagnostics) -> Attri
         } else if let Some(option) = entry.assignment() {
             let name = option.name;
             if names.contains(&name) {
-                diagnostics.report(name.span(), format!("`{name}` is given twice; keep one"));
+                diagnostics.report(name.span(), option.given_twice(attribute.positive.as_ref()));
                 attribute.mark_gap_faulty_if_body(entry);
             } else if is_body(&option) {
                 bodies.push((name, bodies::read(&option, &of_other_names, diagnostics)));
@@ -272,7 +272,7 @@ impl Attribute {
             return None;
         }
         if let [TokenTree::Ident(name)] = entry.tokens.as_slice() {
-            let fields = self.positive.as_ref().and_then(|positive| positive.listed_with(name));
+            let fields = self.positive.as_ref().and_then(|positive| positive.listed_with(&entry.tokens));
             if let Some(fields) = fields {
                 return Some(format!("several fields stand in parentheses; write `positive = ({fields})`"));
             }

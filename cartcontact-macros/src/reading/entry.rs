@@ -3,6 +3,7 @@
 use proc_macro2::{Ident, Span, TokenStream, TokenTree};
 
 use crate::diagnostics::{Diagnostics, Extent};
+use crate::reading::positive::Positive;
 use crate::reading::similar::closest;
 use crate::reading::syntax::Expression;
 use crate::reading::{is_punct, is_sign, literal, parse};
@@ -47,6 +48,16 @@ impl Assignment<'_> {
     /// Where the value stands, or should stand.
     pub(super) fn place(&self) -> Span {
         self.equals.unwrap_or(self.name.span())
+    }
+
+    /// What to say about an option that is given again, after this `positive` if that is the one.
+    pub(super) fn given_twice(&self, positive: Option<&Positive>) -> String {
+        let name = self.name;
+        let positive = positive.filter(|_| name == "positive");
+        match positive.and_then(|positive| positive.listed_with(self.value)) {
+            Some(fields) => format!("`{name}` is given twice; write `{name} = ({fields})`"),
+            None => format!("`{name}` is given twice; keep one"),
+        }
     }
 
     pub(super) fn expression(&self, diagnostics: &mut Diagnostics) -> Expression {

@@ -44,11 +44,18 @@ impl Positive {
         }
     }
 
-    /// The fields that are named, and another one; nothing if something else stands there.
-    pub(super) fn listed_with(&self, other: &Ident) -> Option<String> {
-        let mut names = listed(self.names.clone()?, self.place).ok()?;
-        names.push(other.clone());
-        Some(names.iter().map(Ident::to_string).collect::<Vec<_>>().join(", "))
+    /// The fields that are named, and those of other tokens, each once; nothing if something else stands there.
+    pub(super) fn listed_with(&self, others: &[TokenTree]) -> Option<String> {
+        let mut names: Vec<String> = Vec::new();
+        for tokens in [self.names.clone()?, others.iter().cloned().collect()] {
+            for name in listed(tokens, self.place).ok()? {
+                let name = name.to_string();
+                if !names.contains(&name) {
+                    names.push(name);
+                }
+            }
+        }
+        Some(names.join(", "))
     }
 
     /// Reports what was declared in vain, once it is known which fields the geometry uses.
