@@ -281,6 +281,15 @@ impl Attribute {
                 return Some(format!("`{name}` is not an option; did you mean `{option}`?"));
             }
         }
+        if let Some(gap) = self.gap.as_mut().filter(|_| !has_bodies)
+            && mentions(&["r"], entry.tokens.iter().cloned())
+        {
+            // What it lacks without this term is no further fault.
+            gap.kind = Kind::Faulty;
+            return Some(
+                "a profile has one gap, and its terms are joined by `+` or `-`, not by commas".to_owned(),
+            );
+        }
         Some(
             "a profile has one gap, of one expression or of two bodies, `upper = ..., lower = ...`; options such as \
              `max_radius = 6.0` follow it after a comma"
