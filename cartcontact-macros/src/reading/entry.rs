@@ -10,9 +10,12 @@ use crate::reading::{is_punct, is_sign, literal, parse};
 
 const OPTIONS: [&str; 7] = ["upper", "lower", "max_radius", "order", "tolerance", "positive", "crate"];
 
-/// The option that a name is likely to stand for.
+/// The option that a name is likely to stand for, misspelt or cut short.
 pub(super) fn likely_option(name: &Ident) -> Option<String> {
-    closest(&name.to_string(), OPTIONS.iter().map(ToString::to_string).collect())
+    let name = name.to_string();
+    let cut_short = || OPTIONS.iter().find(|option| name.len() > 2 && option.starts_with(&name));
+    closest(&name, OPTIONS.iter().map(ToString::to_string).collect())
+        .or_else(|| cut_short().map(ToString::to_string))
 }
 
 /// All options, for a message.
