@@ -14,6 +14,9 @@ pub type Knot = (f64, f64);
 
 const HEADER: &str = "time_s,force_n";
 
+/// The letters of a first line that a message shows: a file without line breaks is one line.
+const SHOWN: usize = 60;
+
 /// The rows of a record, with their lines in the file.
 #[derive(Debug)]
 pub struct LoadRecord {
@@ -44,11 +47,11 @@ impl LoadRecord {
     /// [`RecordError`] at the first line that is not two numbers.
     pub fn parse(path: &Path, text: &str) -> Result<Self, RecordError> {
         let mut record = Self { path: path.to_owned(), knots: Vec::new(), lines: Vec::new() };
-        // Spreadsheets begin a file with a byte order mark.
-        let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-        let header = text.lines().next().unwrap_or_default().trim();
-        if header != HEADER {
-            return Err(record.error(1, Problem::Header(header.to_owned())));
+        // Spreadsheets begin a file with a byte order mark, and end lines with `\r\n` or, "for Macintosh", with `\r`.
+        let text = text.strip_prefix('\u{feff}').unwrap_or(text).replace("\r\n", "\n").replace('\r', "\n");
+        let first = text.lines().next().unwrap_or_default().trim();
+        if first != HEADER {
+            return Err(record.error(1, Problem::Header(first.chars().take(SHOWN).collect())));
         }
         for (number, row) in (1..).zip(text.lines()).skip(1) {
             if row.trim().is_empty() {
@@ -155,7 +158,9 @@ impl fmt::Display for RecordError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}:{}: ", self.path.display(), self.line)?;
         match &self.problem {
-            Problem::Header(found) => write!(f, "the header is `{found}`, but it must be `{HEADER}`"),
+            Problem::Header(found) => {
+                write!(f, "the first line is `{found}`, but it must be the header `{HEADER}`")
+            }
             Problem::Columns(count) => {
                 write!(
                     f,
@@ -193,14 +198,19 @@ mod tests {
 
     #[test]
     fn spreadsheet_habits_are_tolerated() {
-        assert_eq!(knots("\u{feff}time_s,force_n\r\n0,1\r\n\r\n"), Ok(vec![(0.0, 1.0)]));
+        for text in ["\u{feff}time_s,force_n\r\n0,1\r\n\r\n", "time_s,force_n\r0,1\r\r"] {
+            assert_eq!(knots(text), Ok(vec![(0.0, 1.0)]), "{text:?}");
+        }
+        let fault = knots("time_s,force_n\r\n0,1\r\nend\r\n").err().unwrap_or_default();
+        assert!(fault.starts_with("a.csv:3: a row has 2 columns"), "{fault}");
     }
 
     #[test]
     fn faults_have_their_line() {
         let faults = [
-            ("", "a.csv:1: the header is ``, but it must be `time_s,force_n`"),
-            ("time_s;force_n\n0;1\n", "a.csv:1: the header is `time_s;force_n`"),
+            ("", "a.csv:1: the first line is ``, but it must be the header `time_s,force_n`"),
+            ("0,1\n", "a.csv:1: the first line is `0,1`, but it must be the header"),
+            ("time_s;force_n\n0;1\n", "a.csv:1: the first line is `time_s;force_n`"),
             ("time_s,force_n\n", "a.csv:1: the load has no knots"),
             (
                 "time_s,force_n\n0,1\n1,2,3\n",
@@ -216,6 +226,15 @@ mod tests {
             let found = knots(text).err().unwrap_or_default();
             assert!(found.starts_with(message), "{text:?} gave {found:?}");
         }
+    }
+
+    #[test]
+    fn a_file_of_one_line_is_not_shown_in_full() {
+        let found = knots(&"[0, 1], ".repeat(1000)).err().unwrap_or_default();
+        assert!(
+            found.starts_with("a.csv:1: the first line is `[0, 1], [0, 1]") && found.len() < 200,
+            "{found}"
+        );
     }
 
     #[test]
