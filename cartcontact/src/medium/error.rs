@@ -57,9 +57,9 @@ impl fmt::Display for MediumError {
             ),
             Self::Permeability { permeability } => write!(
                 f,
-                "the layer's permeability is {}, but it must be 0 (an elastic layer) or a positive number; \
-                 check its unit, mm⁴/(N s)",
-                Shown(permeability)
+                "the layer's permeability is {}, but it must be 0 (an elastic layer) or a positive number; {}",
+                Shown(permeability),
+                if permeability.is_nan() { NO_NUMBER } else { "check its unit, mm⁴/(N s)" }
             ),
             Self::PoissonRatio { poisson_ratio } => write!(
                 f,

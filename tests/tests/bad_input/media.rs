@@ -43,6 +43,8 @@ fn permeabilities_may_be_zero_but_not_negative() {
         let layer = Layer { permeability: value, ..layer() };
         for result in [Medium::between(layer, layer), Medium::against_rigid(layer)] {
             refused(result, |e| matches!(e, MediumError::Permeability { .. }), value);
+            let message = result.err().map(|error| error.to_string()).unwrap_or_default();
+            assert_eq!(message.contains("check its unit"), !value.is_nan(), "{message}");
         }
     }
     let dry = Layer { permeability: 0.0, ..layer() };
