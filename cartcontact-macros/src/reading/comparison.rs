@@ -19,13 +19,15 @@ pub(super) fn option_for(tokens: &[TokenTree]) -> Option<String> {
         // Between expressions of r it is no range.
         return (!is_of_r(end)).then(|| option_for_range(end));
     }
-    least?;
-    Some(if name == "r" {
-        "`r` is the distance from the axis and positive anyway; remove this".to_owned()
-    } else {
-        let wanted = if name == "positive" { "positive".to_owned() } else { format!("positive = {name}") };
-        format!("an option declares that fields are above 0; write `{wanted}`")
-    })
+    let least = least?;
+    let wanted = match name.to_string().as_str() {
+        "r" => return Some("`r` is the distance from the axis and positive anyway; remove this".to_owned()),
+        "positive" => "write `positive`".to_owned(),
+        // As in `c > 0 && d > 0`, which declares more than the first field.
+        _ if !is_expression(least, 0) => "write it as in `positive = (c, d)`".to_owned(),
+        field => format!("write `positive = {field}`"),
+    };
+    Some(format!("an option declares that fields are above 0; {wanted}"))
 }
 
 /// What to say about a range with this end.

@@ -44,6 +44,7 @@ fn likely_slips_are_understood() {
         ("sphere(radiusradius), order = 4", "write `radius * radius`"),
         ("radius * r^2, radius > 0", "write `positive = radius`"),
         ("radius * r^2, positive > 0", "write `positive`"),
+        ("radius * r^2, radius > 0 && depth > 0", "write it as in `positive = (c, d)`"),
         ("r^2, max_radius = sphere(2)", "max_radius must not be a surface"),
         ("r^2, max_radius = inf", "leave out a range without an end"),
         ("r^2, max_radius = f64::INFINITY", "leave out a range without an end"),
