@@ -1,0 +1,39 @@
+//! How many forces pressures take under loads that are not straight: of what they are, nothing tells if they take more.
+
+use cartcontact::ContactError;
+use cartcontact::load::Load;
+use tests::joint::joint;
+use tests::loads::{Announced, CountingForces, Fall, Rise, through};
+use tests::profiles::Patellofemoral;
+
+const CHI: f64 = 0.0015;
+
+/// The most forces that any of many pressures takes, from the middle of the contact to the last digits before its edge.
+fn most_forces(load: impl Load<f64>) -> Result<usize, ContactError> {
+    let contact = joint(Patellofemoral, CHI, CountingForces::new(load));
+    let mut most = 0;
+    for k in 0..40 {
+        let now = contact.at(1.25_f64.powi(k))?;
+        for digits in 0..14 {
+            contact.load().forces();
+            assert!(now.pressure(now.radius() * (1.0 - 0.5 * 10f64.powi(-digits))) > 0.0);
+            most = most.max(contact.load().forces());
+        }
+    }
+    Ok(most)
+}
+
+/// When the edge has passed a radius depends on the load, and so do the steps in which that is found.
+#[test]
+fn pressures_next_to_the_edge_take_few_forces() -> Result<(), ContactError> {
+    for (name, most) in [
+        ("constant", most_forces(Announced::curved(through(&[(0.0, 30.0)])))?),
+        ("ramp", most_forces(Announced::curved(through(&[(0.0, 20.0), (1e5, 1e4)])))?),
+        ("rise", most_forces(Rise { start: 10.0, rise: 30.0, rate: 0.05 })?),
+        ("decay", most_forces(Fall { force: 30.0, rate: 0.9 * CHI })?),
+    ] {
+        println!("{name}: {most}");
+        assert!(most < 1400, "{name}: {most} forces");
+    }
+    Ok(())
+}
