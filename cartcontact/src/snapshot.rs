@@ -187,17 +187,19 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
     /// The pressures at many radii, finite and not negative, with one memory integral for all radii that were
     /// covered from the start.
     pub(crate) fn pressures(&self, radii: &[T], pressures: &mut [T]) {
-        if !has_no_derivatives::<T>() && self.is_undrained() {
+        let is_undrained = self.is_undrained();
+        if is_undrained && !has_no_derivatives::<T>() {
             // Nothing drains that could carry derivatives.
             pressures.iter_mut().zip(radii).for_each(|(pressure, &r)| *pressure = self.pressure(r));
             return;
         }
-        let start = self.first_stage();
+        let start =
+            if is_undrained { self.contact.stage(self.time, self.radius) } else { self.first_stage() };
         let from_start = march(self.contact, start, (self.time, self.radius), start.radius);
         // A loop without branches; its values beyond the radius at the start mean nothing and are replaced by the next
         // loop.
         let (profile, m) = (self.contact.profile(), self.contact.medium().m());
-        let is_whole_history = start.time.is_zero();
+        let is_whole_history = is_undrained || start.time.is_zero();
         let (a, strip) = (start.radius, start.strip(self.contact.integral_per_load()));
         let initial = &mut *pressures;
         wide(

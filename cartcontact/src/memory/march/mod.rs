@@ -27,7 +27,7 @@ use super::{Stage, Transition, not_negative, surplus_that_counts};
 use crate::contact::{Contact, Loading};
 use crate::load::{Load, MOST_PIECES, Piece, knot_between, least_step, pieces_between};
 use crate::numbers::compensated_sum::CompensatedSum;
-use crate::scalar::has_no_derivatives;
+use crate::scalar::{has_no_derivatives, is_plain_zero};
 use crate::{GapProfile, Scalar};
 
 /// The transition to a time with its contact radius, for radii up to `reach` or the first radius, the larger of the two.
@@ -61,6 +61,7 @@ where
     };
     let has_knots = knot_between(contact.load(), from.time, time).is_some();
     match (contact.load().is_linear_between_knots(), has_knots) {
+        _ if is_plain_zero(contact.medium().chi()) => march.advance_at_once(),
         (true, true) => march.advance_in_pieces(),
         (true, false) => march.advance_in_one_piece(),
         (false, _) => march.advance_from_knot_to_knot(),
@@ -98,6 +99,13 @@ impl<T: Scalar, P, L> Clone for March<'_, T, P, L> {
 }
 
 impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
+    /// Continues to the end where nothing drains: then it does not count when the load has risen.
+    fn advance_at_once(&mut self) {
+        let before = self.force_now();
+        self.now.time = self.time;
+        self.jump(before, self.force);
+    }
+
     /// Continues to the end along a straight load, and through the jump that it may make there.
     /// [`advance_in_pieces`](Self::advance_in_pieces) would do the same, but most loads are held and need no room for
     /// pieces.
