@@ -18,9 +18,11 @@ fn times(count: u32) -> Vec<f32> {
     (0..=count).map(|k| (f64::from(k) / 1000.0) as f32).collect()
 }
 
+/// With a last bit that differs from sample to sample, so that each is followed: a held force would be one piece.
 #[test]
 fn a_record_of_a_held_load_is_a_held_load() -> Result<(), Box<dyn core::error::Error>> {
-    let record: Vec<(f32, f32)> = times(SAMPLES.into()).into_iter().map(|t| (t, 100.0)).collect();
+    let forces = [100.0_f32, 100.0_f32.next_up()].into_iter().cycle();
+    let record: Vec<(f32, f32)> = times(SAMPLES.into()).into_iter().zip(forces).collect();
     let one = joint(Patellofemoral, CHI, Constant(100.0));
     let many = joint(Patellofemoral, CHI, PiecewiseLinear::new(record)?);
     let (mut radius, mut pressure) =

@@ -1,7 +1,8 @@
-//! How many forces pressures take under loads that are not straight: of what they are, nothing tells if they take more.
+//! How many forces pressures take under loads that are not straight, and how many pieces a record has: of what pressures
+//! are, nothing tells if they take more.
 
 use cartcontact::ContactError;
-use cartcontact::load::Load;
+use cartcontact::load::{Load, LoadError, Piece, PiecewiseLinear};
 use tests::joint::joint;
 use tests::loads::{Announced, CountingForces, Fall, Rise, through};
 use tests::profiles::Patellofemoral;
@@ -59,5 +60,26 @@ fn where_nothing_drains_no_history_is_followed() -> Result<(), ContactError> {
             assert!((pressure - expected).abs() <= 1e-14 * now.peak_pressure(), "{pressure} at {r}, {time}");
         }
     }
+    Ok(())
+}
+
+#[test]
+fn a_held_force_is_one_piece() -> Result<(), LoadError> {
+    let knots = [(0.0, 10.0), (5.0, 20.0), (6.0, 20.0), (7.0, 20.0), (7.0, 30.0), (8.0, 30.0), (9.0, 40.0)];
+    let load = PiecewiseLinear::new(knots)?;
+    let piece = |start, end| Piece { start, end };
+    let expected = [
+        piece((0.0, 10.0), (5.0, 20.0)),
+        piece((5.0, 20.0), (7.0, 20.0)),
+        piece((7.0, 20.0), (7.0, 30.0)),
+        piece((7.0, 30.0), (8.0, 30.0)),
+        piece((8.0, 30.0), (9.0, 40.0)),
+        piece((9.0, 40.0), (9.5, 40.0)),
+    ];
+    let mut pieces = [piece((0.0, 0.0), (0.0, 0.0)); 8];
+    let count = load.straight_pieces((0.0, 9.5), &mut pieces);
+    assert_eq!(pieces[..count], expected);
+    let count = load.straight_pieces((5.5, 6.5), &mut pieces);
+    assert_eq!(pieces[..count], [piece((5.5, 20.0), (6.5, 20.0))]);
     Ok(())
 }

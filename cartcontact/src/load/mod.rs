@@ -220,10 +220,10 @@ pub trait Load<T: Scalar> {
     /// returns how many there are, at least one; for loads that are
     /// [linear between knots](Self::is_linear_between_knots).
     ///
-    /// The first begins at `from`, with the force after a step there; the last ends at `until` at the latest. A step
-    /// between two pieces is a piece that takes no time. It may be left out: a piece then begins with another force than
-    /// that with which the one before it ended; with hundreds of steps, pressures then take twice as long. The provided
-    /// method looks for one knot after the other; a load that holds its knots in order need not.
+    /// The first begins at `from`, with the force after a step there; the last ends at `until` at the latest. Pieces
+    /// with one held force may be joined. A step is a piece that takes no time. It may be left out: the next piece then
+    /// begins with another force than the one before it ended with; with hundreds of steps, pressures take twice as
+    /// long. The provided method looks for one knot after the other; a load that holds its knots in order need not.
     #[inline]
     fn straight_pieces(&self, (from, until): (T, T), pieces: &mut [Piece<T>]) -> usize {
         let (mut count, mut start) = (0, (from, self.force(from)));

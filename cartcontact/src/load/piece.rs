@@ -2,7 +2,7 @@
 
 use super::rounding::allowed_fall;
 use crate::Scalar;
-use crate::scalar::smallest_normal;
+use crate::scalar::{has_no_derivatives, smallest_normal};
 
 /// A part of a load that is linear in time, from one time in s with its force in N to another.
 ///
@@ -44,6 +44,13 @@ impl<T: Scalar> Piece<T> {
     /// By how much the force rises.
     pub(crate) fn rise(&self) -> T {
         self.end.1 - self.start.1
+    }
+
+    /// Whether the load is held along the piece and up to a later time with its force. Equal forces may have derivatives
+    /// that are not.
+    #[inline]
+    pub(super) fn holds_until(&self, (_, force): (T, T)) -> bool {
+        has_no_derivatives::<T>() && self.start.1 == self.end.1 && self.end.1 == force
     }
 
     /// The force at a time within the piece; after it, if it is a step.

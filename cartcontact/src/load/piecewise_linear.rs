@@ -213,9 +213,14 @@ impl<T: Scalar, K: Pairs<T>> Load<T> for PiecewiseLinear<T, K> {
             && start.0 < until
         {
             let end = ends.next().copied().unwrap_or((until, start.1));
-            if start != end {
-                pieces[count] = Piece { start, end };
-                count += 1;
+            match pieces[..count].last_mut() {
+                // One piece, however often a held force was recorded.
+                Some(last) if last.holds_until(end) => last.end = end,
+                _ if start != end => {
+                    pieces[count] = Piece { start, end };
+                    count += 1;
+                }
+                _ => {}
             }
         }
         // No other piece begins before that time, or ends after it.
