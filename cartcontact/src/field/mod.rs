@@ -82,6 +82,10 @@ where
         times.iter().try_for_each(|&time| contact.radius_if_advancing(time, recedes_from).map(drop))?;
     }
     first.pressures(radii, &mut values[..width]);
+    if times.len() == 1 {
+        // Room for blocks of rows takes longer to clear than a few pressures to compute.
+        return Ok(());
+    }
     let runs = Runs::of(radii);
     let mut block = Block::after(contact, Edge { time: first.time(), radius: first.radius() });
     let mut anchors = Anchors::at(0, block.last());
