@@ -35,7 +35,7 @@ pub enum MediumError {
     },
     /// The rate of drainage χ is negative or not finite, or so small that it loses digits.
     Rate {
-        /// What was given or follows from the layers, in 1/s.
+        /// What was given or follows from the layers, in 1/s; 0 if that of permeable layers is rounded to it.
         chi: f64,
     },
 }
@@ -72,6 +72,10 @@ impl fmt::Display for MediumError {
                 "the stiffness m is {}, but it must be a positive number that the format holds with all its digits; \
                  check the units of thickness and shear modulus",
                 Shown(m)
+            ),
+            Self::Rate { chi: 0.0 } => f.write_str(
+                "the rate chi of the layers is so small that the format rounds it to 0; check the units of permeability \
+                 and thickness, or give a permeability of 0 if nothing is to drain",
             ),
             Self::Rate { chi } => write!(
                 f,

@@ -72,7 +72,7 @@ impl<T: Scalar> Medium<T> {
     /// For m, I. Argatov, Mech. Res. Commun. 38 (2011), section 2, doi 10.1016/j.mechrescom.2010.11.006.
     pub fn between(first: Layer<T>, second: Layer<T>) -> Result<Self, MediumError> {
         let m = stiffness(first, second)?;
-        Self::from_constants(m, first.rate_within(m) + second.rate_within(m))
+        Self::of_layers(m, first.rate_within(m) + second.rate_within(m), [first, second])
     }
 
     /// Two layers in contact, with the rate as the paper prints it, for comparison with published curves.
@@ -104,7 +104,7 @@ impl<T: Scalar> Medium<T> {
     ///
     /// I. Argatov, Mech. Res. Commun. 38 (2011), section 2, doi 10.1016/j.mechrescom.2010.11.006.
     pub fn between_as_printed_2011(first: Layer<T>, second: Layer<T>) -> Result<Self, MediumError> {
-        Self::from_constants(stiffness(first, second)?, first.own_rate() + second.own_rate())
+        Self::of_layers(stiffness(first, second)?, first.own_rate() + second.own_rate(), [first, second])
     }
 
     /// One layer against a rigid impermeable body.
@@ -135,7 +135,7 @@ impl<T: Scalar> Medium<T> {
     /// 10.1016/j.mechrescom.2010.11.006.
     pub fn against_rigid(layer: Layer<T>) -> Result<Self, MediumError> {
         let m = layer.compliance()?.recip();
-        Self::from_constants(m, layer.rate_within(m))
+        Self::of_layers(m, layer.rate_within(m), [layer])
     }
 
     /// The constants themselves: m in MPa/mm³, χ in 1/s.
@@ -161,6 +161,15 @@ impl<T: Scalar> Medium<T> {
             return Err(MediumError::Rate { chi: chi.value() });
         }
         Ok(Self { m, chi })
+    }
+
+    /// A rate of zero is that of layers without permeability, not one that the format has rounded to zero.
+    fn of_layers<const N: usize>(m: T, chi: T, layers: [Layer<T>; N]) -> Result<Self, MediumError> {
+        let medium = Self::from_constants(m, chi)?;
+        if chi.is_zero() && layers.iter().any(|layer| !layer.permeability.is_zero()) {
+            return Err(MediumError::Rate { chi: 0.0 });
+        }
+        Ok(medium)
     }
 
     /// The stiffness m, in MPa/mm³.

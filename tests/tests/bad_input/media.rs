@@ -61,6 +61,20 @@ fn media_too_stiff_or_too_quick_for_the_format_are_refused() {
     refused(Medium::against_rigid(leaky), |e| matches!(e, MediumError::Rate { .. }), "inf");
 }
 
+/// It is not that of layers without permeability.
+#[test]
+fn a_rate_that_is_rounded_to_zero_is_refused() {
+    let sluggish = Layer { thickness: 1e100, permeability: 1e-150, ..layer() };
+    let is_rate: fn(&MediumError) -> bool = |e| matches!(e, MediumError::Rate { chi: 0.0 });
+    refused(Medium::against_rigid(sluggish), is_rate, "rounds it to 0");
+    for between in [Medium::between, Medium::between_as_printed_2011] {
+        refused(between(sluggish, sluggish), is_rate, "rounds it to 0");
+        let dry = Layer { permeability: 0.0, ..layer() };
+        refused(between(sluggish, dry), is_rate, "rounds it to 0");
+        assert!(between(sluggish, layer()).is_ok());
+    }
+}
+
 #[test]
 fn times_of_diffusion_are_those_of_a_solid_and_a_layer() {
     // H = λ + 2 μ with λ = 2 μ ν/(1 − 2 ν) is 3 μ for ν = 1/4, and 6 μ for ν = 0.4.
