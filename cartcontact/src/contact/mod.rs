@@ -112,7 +112,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
     /// # Accuracy
     ///
     /// The radius is within 2 ε for sums of positive terms. Where terms of both signs cancel, that is multiplied by
-    /// Σ|terms of J|/(a J′).
+    /// Σ|terms of J|/(a J′), if that is above 1.
     ///
     /// This holds as long as the input, 2 χ F, 4 F/(π m), ∫F, 2 Y, J(a), a J′(a), J(a)/a⁵, a⁴, F/a⁴, 4 F/(π m a⁴) and the
     /// result are normal numbers, with fractional exponents √(8/ε) δ₀′(a), too, and the terms of a J′ are finite if they

@@ -40,8 +40,9 @@ use crate::quadrature::Rule;
 /// the last place, whatever their exponents. Where terms of both signs cancel, this bound is multiplied by the
 /// condition number Σ|terms|/|sum|. At the ends of the range of numbers only plain arithmetic is possible, within 8 ε:
 /// where a result is above 6e299, or 4e34 in f32, and where a result or a power on the way is hardly larger than the
-/// smallest normal number. Digits are lost where a coefficient, which [`check`](Self::check) refuses then, or a result is
-/// less than 2 (n+2)² times that, with the exponent n. If terms of both signs overflow, the result is NaN.
+/// smallest normal number. Digits are lost where a coefficient, which [`check`](Self::check) refuses then, or a result
+/// is less than 2 (n+2)² times that, with the exponent n. If terms of both signs overflow, the result is NaN. Beyond
+/// radii of 1.3e154, or 1.8e19 in f32, whose squares overflow, results may be infinite that need not be.
 ///
 /// Coefficients that depend on fields are not rounded, if `T` can hold the fields: their products, quotients and powers
 /// are computed with twice the digits, except fractional powers of dual numbers. Fractional powers such as a^-1.3 have
@@ -228,12 +229,12 @@ pub trait GapProfile<T: Scalar> {
     ///
     /// # Accuracy
     ///
-    /// About 1 unit in the last place, times 2 Σ|terms of J|/(a J′) where terms of both signs cancel. It is 4 units
-    /// where a J′, up to n + 4 times J, overflows, and the radius is found by bisection instead; a
-    /// [`Contact`](crate::Contact) refuses that. Where a positive term of J overflows although J does not, because
-    /// others are negative, the radius may be too small by some per cent: it is the one at which that term overflows. A
-    /// `Contact` refuses that unless J is nearly flat there. It also refuses subnormal load integrals, whose radius has
-    /// no more digits than they have.
+    /// About 1 unit in the last place. Where terms of both signs cancel it is 2 units, times Σ|terms of J|/(a J′) if
+    /// that is above 1. It is 4 units where a J′, up to n + 4 times J, overflows, and the radius is found by bisection
+    /// instead; a [`Contact`](crate::Contact) refuses that. Where a positive term of J overflows although J does not,
+    /// because others are negative, the radius may be too small by some per cent: it is the one at which that term
+    /// overflows. A `Contact` refuses that unless J is nearly flat there. It also refuses subnormal load integrals,
+    /// whose radius has no more digits than they have.
     ///
     /// # Examples
     ///
@@ -270,7 +271,7 @@ pub trait GapProfile<T: Scalar> {
     /// # Errors
     ///
     /// [`RadiusError`] for a negative or non-finite load integral, and beyond J(`limit`); a limit that is not a
-    /// positive number lies below every radius.
+    /// positive number lies below every radius but that of a load integral of 0.
     fn radius_within(&self, load_integral: T, limit: T) -> Result<T, RadiusError>;
 
     /// The contact radii of many load integrals, in mm; `radii[i]` belongs to `load_integrals[i]`.
