@@ -14,8 +14,8 @@ use crate::numbers::bits::nearest_integer;
 /// come with the bound, without an import. Dual numbers of dual numbers, and those such as `DualDVec64` whose number of
 /// variables is known only at run time, do not qualify. A release of `num-dual` fits if it is made for the same
 /// `simba`: 0.15 for 0.10, with `nalgebra` 0.35. A radius with one derivative takes about twice as long as without, a
-/// pressure under a held load some four times, and one under a load of a hundred knots seven times. Derivatives of radii
-/// are right to rounding up to the third.
+/// pressure under a held load some four times, eight after thirty e-foldings, and one under a load of a hundred knots
+/// seven times. Derivatives of radii are right to rounding up to the third.
 ///
 /// These derivatives, of pressures unless other results are named, may be wrong or NaN:
 ///

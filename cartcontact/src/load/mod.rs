@@ -252,8 +252,8 @@ pub trait Load<T: Scalar> {
     /// 1e5 periods; with more, the answer may be one of the later waves, and from 1e7 periods on there may be none.
     /// Between a thousand jumps or kinks that no knot reports, in single precision a hundred, it finds falls by 1e-3 of
     /// the force. It calls `force` some 17 times for every few radians of an oscillation, or every few e-foldings of a
-    /// decay, some 200 times for each such kink, and up to 1e6 times where forces are the rounding of something larger,
-    /// as 1 − cos t is at first. A load that knows the answer should provide it.
+    /// decay, some 2500 times for one such kink and 250 times for each of a thousand, and up to 1e6 times where forces
+    /// are the rounding of something larger, as 1 − cos t is at first. A load that knows the answer should provide it.
     ///
     /// For a load that is [linear between knots](Self::is_linear_between_knots) it follows the pieces, with two calls
     /// of `force` for each. As forces are rounded, a piece may fall too fast by 8 ε of its force, and all together by √ε.
