@@ -179,9 +179,9 @@ struct Field<L> {
     values: Vec<f64>,
 }
 
-/// A field of 100 times and 100 radii in some order, some of them outside the contact.
-fn empty<L>(contact: Contact<f64, Patellofemoral, L>, put_in_order: fn(&mut [f64])) -> Field<L> {
-    let (times, mut radii) = (steps(100, 400.0), steps(100, 9.0));
+/// A field of 100 times up to the last and 100 radii in some order, some of them outside the contact.
+fn empty<L>(contact: Contact<f64, Patellofemoral, L>, last: f64, put_in_order: fn(&mut [f64])) -> Field<L> {
+    let (times, mut radii) = (steps(100, last), steps(100, 9.0));
     put_in_order(&mut radii);
     Field { contact, times, radii, values: vec![0.0; 10_000] }
 }
@@ -200,10 +200,11 @@ fn assert_filled<L>(field: Field<L>) {
 }
 
 #[library_benchmark(setup = empty, teardown = assert_filled)]
-#[bench::constant_load(contact(Patellofemoral), ascending)]
-#[bench::hundred_knots(scenes::hundred_knots(RATE), ascending)]
-#[bench::descending_radii(contact(Patellofemoral), <[f64]>::reverse)]
-#[bench::shuffled_radii(contact(Patellofemoral), shuffled)]
+#[bench::constant_load(contact(Patellofemoral), 400.0, ascending)]
+#[bench::hundred_knots(scenes::hundred_knots(RATE), 400.0, ascending)]
+#[bench::distant_times(contact(Patellofemoral), 4000.0, ascending)]
+#[bench::descending_radii(contact(Patellofemoral), 400.0, <[f64]>::reverse)]
+#[bench::shuffled_radii(contact(Patellofemoral), 400.0, shuffled)]
 fn field<L: Load<f64>>(mut field: Field<L>) -> Field<L> {
     // `assert_filled` checks the result.
     let _ = field.contact.pressure_field(&field.times, &field.radii, &mut field.values);

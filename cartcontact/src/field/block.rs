@@ -31,8 +31,8 @@ pub(super) struct Block<'a, T, P, L> {
     contact: &'a Contact<T, P, L>,
     base: Edge<T>,
     count: usize,
-    /// How many rows the next panel may have.
-    most: usize,
+    /// How long the next panel may be: to find that one is too long costs as much as to use it.
+    longest: T,
     times: [T; BLOCK],
     radii: [T; BLOCK],
     since_base: Changes<T>,
@@ -48,7 +48,7 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Block<'a, T, P, L> {
             contact,
             base,
             count: 0,
-            most: BLOCK,
+            longest: T::infinity(),
             times: [base.time; BLOCK],
             radii: [base.radius; BLOCK],
             since_base: Changes::none(),
@@ -77,13 +77,30 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Block<'a, T, P, L> {
         self.base = self.last();
         self.count = 0;
         self.panel = None;
-        match Panel::over(self.contact, self.base, &times[..times.len().min(self.most)]) {
+        let times = &times[..times.len().min(BLOCK)];
+        let rows = self.rows_for_panel(times);
+        match Panel::over(self.contact, self.base, &times[..rows]) {
             Some((panel, count)) => self.follow(panel, &times[..count])?,
-            None => self.march(&times[..times.len().min(BLOCK)])?,
+            None => self.march(times)?,
+        }
+        let duration = self.last().time - self.base.time;
+        if self.count < rows && duration > T::zero() {
+            self.longest = duration;
         }
         // A little longer than what was short enough, and seldom too long.
-        self.most = BLOCK.min(self.count + self.count / 8 + 1);
+        self.longest *= T::constant(1.125);
         Ok(())
+    }
+
+    /// How many rows a panel may have: those before the next knot, up to which the load must be straight, that are not
+    /// later than the longest panel.
+    fn rows_for_panel(&self, times: &[T]) -> usize {
+        let (load, start) = (self.contact.load(), self.base.time);
+        if !load.is_linear_between_knots() {
+            return 0;
+        }
+        let knot = load.next_knot(start);
+        times.partition_point(|&time| knot.is_none_or(|knot| time < knot) && time - start <= self.longest)
     }
 
     /// Takes the rows at `times` from a panel.

@@ -73,16 +73,14 @@ pub(super) struct Panel<'a, T, P, L> {
 }
 
 impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Panel<'a, T, P, L> {
-    /// The longest panel from `start` to one of `times`, and how many of them it reaches.
+    /// The longest panel from `start` to one of `times`, before which a straight load has no knot, and how many of them
+    /// it reaches.
     ///
-    /// Each attempt takes three quarters of the times of the one before.
+    /// Each attempt takes three quarters of the times of the one before. A march takes less time than a panel for a
+    /// single row.
     pub(super) fn over(contact: &'a Contact<T, P, L>, start: Edge<T>, times: &[T]) -> Option<(Self, usize)> {
-        if !contact.load().is_linear_between_knots() {
-            return None;
-        }
-        let knot = contact.load().next_knot(start.time);
-        let mut count = knot.map_or(times.len(), |knot| times.partition_point(|&time| time < knot));
-        while count > 0 {
+        let mut count = times.len();
+        while count > 1 {
             if let Some(panel) = Self::until(contact, start, times[count - 1]) {
                 return Some((panel, count));
             }
