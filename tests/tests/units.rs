@@ -5,7 +5,7 @@
 //!   single precision: they are then iterated, and up to 5 % of them differ in the last bit.
 //! - Radii of geometries with fields whose coefficients move beyond 1e±60, in single precision 1e±11, where a table
 //!   with fields ends.
-//! - The `max_radius()` of a geometry with fields and terms of both signs: it is searched for in ln r, and up to 52 ε
+//! - The `max_radius()` of a geometry with fields and terms of both signs: it is searched for in ln r, and up to 60 ε
 //!   too small; larger radii are refused.
 //!
 //! Other units of force and time change no result.
