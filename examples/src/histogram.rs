@@ -74,7 +74,11 @@ impl Histogram {
             .y_labels(6)
             .x_label_formatter(&|value| format!("{value:.1}"))
             .y_label_formatter(&|value| format!("{value:.1}"))
-            .x_desc(format!("{}; {beyond:.2} % of the values lie beyond the axis", self.label))
+            .x_desc(if beyond < 0.005 {
+                self.label.to_owned()
+            } else {
+                format!("{}; {beyond:.2} % of the values lie beyond the axis", self.label)
+            })
             .y_desc(format!("probability density (1/{})", self.unit))
             .draw()?;
 
