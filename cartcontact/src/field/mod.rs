@@ -76,16 +76,17 @@ where
     L: Load<T>,
 {
     let (width, first) = (radii.len(), contact.at(times[0])?);
+    if times.len() == 1 {
+        // Room for blocks of rows takes longer to clear than a few pressures to compute.
+        first.pressures(radii, values);
+        return Ok(());
+    }
     // Once for all rows: searching the history of a user-defined load takes as long as many of them.
     let recedes_from = recession_within(contact, times);
     if recedes_from.is_some() {
         times.iter().try_for_each(|&time| contact.radius_if_advancing(time, recedes_from).map(drop))?;
     }
     first.pressures(radii, &mut values[..width]);
-    if times.len() == 1 {
-        // Room for blocks of rows takes longer to clear than a few pressures to compute.
-        return Ok(());
-    }
     let runs = Runs::of(radii);
     let mut block = Block::after(contact, Edge { time: first.time(), radius: first.radius() });
     let mut anchors = Anchors::at(0, block.last());
