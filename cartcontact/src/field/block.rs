@@ -92,8 +92,8 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Block<'a, T, P, L> {
         Ok(())
     }
 
-    /// How many rows a panel may have: those before the next knot, up to which the load must be straight, that are not
-    /// later than the longest panel.
+    /// How many rows a panel may have, if the load is straight up to its next knot: those before the knot that are not
+    /// too late for the longest panel.
     fn rows_for_panel(&self, times: &[T]) -> usize {
         let (load, start) = (self.contact.load(), self.base.time);
         if !load.is_linear_between_knots() {
