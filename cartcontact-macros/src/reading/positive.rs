@@ -46,16 +46,15 @@ impl Positive {
 
     /// The fields that are named, and those of other tokens, each once; nothing if something else stands there.
     pub(super) fn listed_with(&self, others: &[TokenTree]) -> Option<String> {
-        let mut names: Vec<String> = Vec::new();
+        let mut names: Vec<Ident> = Vec::new();
         for tokens in [self.names.clone()?, others.iter().cloned().collect()] {
             for name in listed(tokens, self.place).ok()? {
-                let name = name.to_string();
-                if !names.contains(&name) {
+                if !names.iter().any(|known| is_same(known, &name)) {
                     names.push(name);
                 }
             }
         }
-        Some(names.join(", "))
+        Some(names.iter().map(Ident::to_string).collect::<Vec<_>>().join(", "))
     }
 
     /// Reports what was declared in vain, once it is known which fields the geometry uses.
