@@ -42,7 +42,7 @@ pub enum LoadError {
         /// Its time, in s.
         time: f64,
     },
-    /// The first knot is not at time 0.
+    /// The first knot is not at time 0, but later or earlier.
     LateStart {
         /// The time of the first knot, in s.
         time: f64,
@@ -128,9 +128,10 @@ impl fmt::Display for LoadError {
             }
             Self::LateStart { time } => write!(
                 f,
-                "the first knot is at time {}, but a load history starts at 0; shift the times, or add a knot at 0, and \
-                 check that pairs are (time, force)",
-                Shown(time)
+                "the first knot is at time {}, but a load history starts at 0; shift the times, or {}, and check that \
+                 pairs are (time, force)",
+                Shown(time),
+                if time < 0.0 { "leave out the knots before 0" } else { "add a knot at 0" }
             ),
             Self::Unsorted { knot, time, previous } => write!(
                 f,

@@ -29,8 +29,11 @@ fn knots_are_in_the_order_of_time_from_zero() {
         let result = through(&[(0.0, 1.0), (value, 1.0)]);
         refused(result, |e| matches!(e, LoadError::InvalidTime { knot: 1, .. }), value);
     }
-    refused(through(&[(0.5, 1.0)]), |e| matches!(e, LoadError::LateStart { .. }), "0.5");
-    refused(through(&[(-0.5, 1.0)]), |e| matches!(e, LoadError::LateStart { .. }), "-0.5");
+    for (start, remedy) in [(0.5, "or add a knot at 0"), (-0.5, "or leave out the knots before 0")] {
+        let is_late_start = |e: &LoadError| matches!(e, LoadError::LateStart { .. });
+        refused(through(&[(start, 1.0)]), is_late_start, start);
+        refused(through(&[(start, 1.0)]), is_late_start, remedy);
+    }
     let unsorted = through(&[(0.0, 1.0), (3.0, 1.0), (2.5, 1.0)]);
     refused(unsorted, |e| matches!(e, LoadError::Unsorted { knot: 2, .. }), "2.5");
     let triple = through(&[(0.0, 1.0), (1.5, 1.0), (1.5, 2.0), (1.5, 3.0)]);
