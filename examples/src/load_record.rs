@@ -168,6 +168,9 @@ impl fmt::Display for RecordError {
                      decimals with a point"
                 )
             }
+            Problem::Number(cell) if cell.is_empty() => {
+                f.write_str("a cell is empty; write a number such as 20.5, or leave out the row")
+            }
             Problem::Number(cell) => write!(f, "`{cell}` is not a number; write one such as 20.5"),
             Problem::Load(error) => error.fmt(f),
             Problem::Contact(error @ ContactError::Receding { .. }) => {
@@ -217,6 +220,7 @@ mod tests {
                 "a.csv:3: a row has 2 columns, time_s,force_n, but this one has 3; separate them",
             ),
             ("time_s,force_n\n0,1\n\n1,two\n", "a.csv:4: `two` is not a number; write one such as 20.5"),
+            ("time_s,force_n\n0,1\n1, \n", "a.csv:3: a cell is empty; write a number such as 20.5, or leave"),
             ("time_s,force_n\n0,1\n1,-2\n", "a.csv:3: the force at time 1 is -2"),
             ("time_s,force_n\n0,1\n1,NaN\n", "a.csv:3: the force at time 1 is NaN"),
             ("time_s,force_n\n0,1\n2,1\n1,1\n", "a.csv:4: knot 2 is at time 1"),
