@@ -7,7 +7,7 @@
 //! a/a₀ = (1 + χ t)^(1/(n+4)),  δ₀/δ₀(0) = (1 + χ t)^(n/(n+4))    (20), (21), constant load
 //! ```
 
-use core::f64::consts::PI;
+use core::f64::consts::{PI, SQRT_2};
 
 use cartcontact::load::Constant;
 use cartcontact::{Contact, ContactError, GapProfile, Layer, Medium, gap_profile};
@@ -143,6 +143,23 @@ proptest! {
             prop_assert!((found / expected - 1.0).abs() < 1e-5, "{q}: {found} {expected}");
         }
     }
+}
+
+/// A ball of half the radius on layers of four times the stiffness has the same m R², and the radius of its contact is
+/// smaller by √2: a fit to approaches alone cannot tell the two apart.
+#[test]
+fn approaches_to_a_ball_depend_on_its_radius_by_m_r_squared_alone() -> Result<(), ContactError> {
+    let problem = Problem { c: 0.025, n: 2.0, m: 0.375, chi: 0.02, force: 100.0 };
+    let smaller = Problem { c: 2.0 * problem.c, m: 4.0 * problem.m, ..problem };
+    let [contact, other] = [problem, smaller].map(|problem| problem.contact(Square { c: problem.c }));
+    let (contact, other) = (contact?, other?);
+    for t in [0.0, 20.0, 500.0] {
+        let (now, then) = (contact.at(t)?, other.at(t)?);
+        let close = |x: f64, y: f64, allowed: f64| (x / y - 1.0).abs() <= 2.0 * allowed * f64::EPSILON;
+        assert!(close(now.approach(), then.approach(), 3.0 * budget::CONTACT_APPROACH.double), "{t}");
+        assert!(close(now.radius(), SQRT_2 * then.radius(), budget::CONTACT_RADIUS.double), "{t}");
+    }
+    Ok(())
 }
 
 /// The history of a paraboloid under a constant load to twelve digits, in units of a₀ and P(0, 0).

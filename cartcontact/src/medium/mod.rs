@@ -12,8 +12,9 @@ use crate::scalar::is_normal_and_positive;
 ///
 /// Nothing else of the layers enters a result, so that a creep test, however long, determines two constants only.
 /// Thickness, shear modulus and permeability of a layer cannot all be fitted: (h, μ, k) and (2 h, 8 μ, k/2) are the
-/// same medium. Measure the thickness; otherwise the matrix of the normal equations is singular, though rounding may
-/// hide that.
+/// same medium. Nor can the curvature of a paraboloid, if only its approach is measured, which depends on the radius R
+/// of the ball by m R² alone; a contact radius would tell them apart. Measure thickness and curvature; otherwise the
+/// matrix of the normal equations is singular, though rounding may hide that.
 ///
 /// # Examples
 ///
