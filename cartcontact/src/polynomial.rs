@@ -30,7 +30,8 @@ use crate::scalar::{floor, is_plain_zero};
 /// A gap that was measured as points is fitted with a constant term, which is then left out: it tells how far apart the
 /// surfaces were measured, and a gap begins with zero. To subtract the point on the axis instead would add its noise to
 /// all others. Noise may make the coefficient of the lowest power negative, which is refused as a gap that does not
-/// open; fit without it then.
+/// open; fit without it then. Beyond the last point the fit is a guess: with its radius as the end of the range, in
+/// [`with_max_radius`](Self::with_max_radius), a contact that grows so wide is refused.
 ///
 /// # Examples
 ///

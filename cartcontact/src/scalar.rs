@@ -15,7 +15,8 @@ use crate::numbers::bits::nearest_integer;
 /// variables is known only at run time, do not qualify. A release of `num-dual` fits if it is made for the same
 /// `simba`: 0.15 for 0.10, with `nalgebra` 0.35. A radius with one derivative takes about twice as long as without, a
 /// pressure under a held load some four times, eight after thirty e-foldings, and one under a load of a hundred knots
-/// seven times. Derivatives of radii are right to rounding up to the third.
+/// seven times. Up to eight derivatives at once, as from `jacobian`, take 0.9 to 2.2 times as many instructions as one
+/// run with a `Dual64` for each. Derivatives of radii are right to rounding up to the third.
 ///
 /// These derivatives, of pressures unless other results are named, may be wrong or NaN:
 ///

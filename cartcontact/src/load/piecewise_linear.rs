@@ -38,7 +38,9 @@ const CHECKPOINTS: usize = 64;
 /// or the load is larger. Smooth such a record first, over as many samples as its ramps allow. Once the joint is really
 /// unloaded, as in gait, the solution no longer holds, and a clamped record has the results of its higher load: check
 /// how far it lies above the measured one. A fit of permeabilities changes χ, and with it what is too fast: clamp with
-/// the lowest χ that it may try.
+/// the lowest χ that it may try. The fall of a load that relaxes is no noise, and must not be clamped: from one knot to
+/// the next, where it falls to F′, it needs a χ of (F/F′ − 1)/Δt. A fit begins above the largest of these, and shortens
+/// a step that is refused.
 ///
 /// ```
 /// # use cartcontact::{Contact, Medium, Polynomial, load::PiecewiseLinear};
