@@ -15,8 +15,9 @@ use crate::scalar::{has_no_derivatives, is_plain_zero};
 /// # Examples
 ///
 /// ```
-/// # use cartcontact::{Contact, Medium, Polynomial, load};
-/// # let medium = Medium::from_constants(0.375, 0.0015)?;
+/// use cartcontact::{Contact, Medium, Polynomial, load};
+///
+/// let medium = Medium::from_constants(0.375, 0.0015)?;
 /// let contact = Contact::new(Polynomial::new([(0.025, 2.0)])?, medium, load::Constant(100.0))?;
 /// let now = contact.at(0.0)?;
 /// let a = now.radius();
@@ -73,7 +74,7 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
     ///
     /// ```
     /// # use cartcontact::{Contact, Medium, Polynomial, load};
-    /// # let medium = Medium::from_constants(0.375, 0.0015)?;
+    /// let medium = Medium::from_constants(0.375, 0.0015)?;
     /// let contact = Contact::new(Polynomial::new([(0.025, 2.0)])?, medium, load::Constant(100.0))?;
     /// let now = contact.at(200.0)?;
     /// // That of a paraboloid C r² is C a²/2.
@@ -117,7 +118,7 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
     ///
     /// ```
     /// # use cartcontact::{Contact, Medium, Polynomial, load};
-    /// # let medium = Medium::from_constants(0.375, 0.0015)?;
+    /// let medium = Medium::from_constants(0.375, 0.0015)?;
     /// let contact = Contact::new(Polynomial::new([(0.025, 2.0)])?, medium, load::Constant(100.0))?;
     /// let now = contact.at(200.0)?;
     /// assert!(now.pressure(0.0) > now.pressure(3.0) && now.pressure(3.0) > 0.0);
@@ -153,7 +154,7 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
     ///
     /// ```
     /// # use cartcontact::{Contact, Medium, Polynomial, load};
-    /// # let medium = Medium::from_constants(0.375, 0.0015)?;
+    /// let medium = Medium::from_constants(0.375, 0.0015)?;
     /// let contact = Contact::new(Polynomial::new([(0.025, 2.0)])?, medium, load::Constant(100.0))?;
     /// let [first, last] = [contact.at(0.0)?, contact.at(200.0)?];
     /// // The contact spreads, and the same force is carried by a wider disc.

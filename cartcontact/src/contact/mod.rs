@@ -73,7 +73,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
     ///
     /// ```
     /// # use cartcontact::{Contact, Medium, Polynomial, load};
-    /// # let medium = Medium::from_constants(0.375, 0.0015)?;
+    /// let medium = Medium::from_constants(0.375, 0.0015)?;
     /// let gap = Polynomial::new([(0.025, 2.0)])?;
     /// assert!(Contact::new(gap, medium, load::Constant(100.0)).is_ok());
     /// assert!(Contact::new(gap, medium, load::Constant(-100.0)).is_err());
@@ -128,7 +128,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
     ///
     /// ```
     /// # use cartcontact::{Contact, ContactError, Medium, Polynomial, load};
-    /// # let medium = Medium::from_constants(0.375, 0.0015)?;
+    /// let medium = Medium::from_constants(0.375, 0.0015)?;
     /// let oblate = Polynomial::with_max_radius([(0.025, 2.0), (-1e-4, 4.0)], 8.0)?;
     /// let contact = Contact::new(oblate, medium, load::Constant(100.0))?;
     /// assert!((contact.at(100.0)?.radius() - 7.94_f64).abs() < 0.01);
@@ -163,7 +163,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
     ///
     /// ```
     /// # use cartcontact::{Contact, Medium, Polynomial, load};
-    /// # let medium = Medium::from_constants(0.375, 0.0015)?;
+    /// let medium = Medium::from_constants(0.375, 0.0015)?;
     /// let contact = Contact::new(Polynomial::new([(0.025, 2.0)])?, medium, load::Constant(100.0))?;
     /// let mut radii = [0.0; 3];
     /// contact.radii(&[0.0, 100.0, 200.0], &mut radii)?;
@@ -192,7 +192,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
     ///
     /// ```
     /// # use cartcontact::{Contact, Medium, Polynomial, load};
-    /// # let medium = Medium::from_constants(0.375, 0.0015)?;
+    /// let medium = Medium::from_constants(0.375, 0.0015)?;
     /// let contact = Contact::new(Polynomial::new([(0.025, 2.0)])?, medium, load::Constant(100.0))?;
     /// let mut creep = [0.0; 3];
     /// contact.approaches(&[0.0, 100.0, 200.0], &mut creep)?;

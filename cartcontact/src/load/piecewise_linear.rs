@@ -43,8 +43,9 @@ const CHECKPOINTS: usize = 64;
 /// a step that is refused.
 ///
 /// ```
-/// # use cartcontact::{Contact, Medium, Polynomial, load::PiecewiseLinear};
-/// # let (gap, medium) = (Polynomial::new([(0.025, 2.0)])?, Medium::from_constants(0.375, 0.0015)?);
+/// use cartcontact::{Contact, Medium, Polynomial, load::PiecewiseLinear};
+///
+/// let (gap, medium) = (Polynomial::new([(0.025, 2.0)])?, Medium::from_constants(0.375, 0.0015)?);
 /// let mut record: [(f64, f64); 4] = [(0.0, 79.6), (0.01, 80.3), (0.02, 79.9), (0.03, 80.1)];
 /// assert!(Contact::new(&gap, medium, PiecewiseLinear::new(&record)?)?.at(0.03).is_err());
 ///
