@@ -121,11 +121,12 @@ impl fmt::Display for ContactError {
             Self::Receding { time, since } => write!(
                 f,
                 "the load falls faster than e^(-chi t) at time {}, so at time {} the edge of the contact has \
-                 receded, which this solution does not cover; {}clamp falls that are noise, as the documentation of \
-                 `PiecewiseLinear` shows: from one knot to the next, dt later, a force F may fall to F/(1 + chi dt)",
+                 receded, which this solution does not cover; {}check whether the chi of the layers should be larger, or \
+                 clamp falls that are noise, as the documentation of `PiecewiseLinear` shows: from one knot to the next, \
+                 dt later, a force F may fall to F/(1 + chi dt)",
                 Shown(since),
                 Shown(time),
-                if since > 0.0 { "ask for earlier times, or " } else { "" }
+                if since > 0.0 { "ask for earlier times, " } else { "" }
             ),
             Self::Unrepresentable { time, force } => write!(
                 f,

@@ -50,7 +50,9 @@ fn a_load_that_falls_too_fast_says_since_when() -> Result<(), LoadError> {
     refused(contact.at(1000.0), is_receding, "at time 50");
     let mut radii = [0.0; 2];
     refused(contact.radii(&[10.0, 70.0], &mut radii), is_receding, "at time 70");
-    refused(contact.at(55.0), is_receding, "ask for earlier times, or clamp falls that are noise, as the");
+    let remedies =
+        "ask for earlier times, check whether the chi of the layers should be larger, or clamp falls that";
+    refused(contact.at(55.0), is_receding, remedies);
     Ok(())
 }
 
@@ -59,7 +61,7 @@ fn a_load_that_falls_too_fast_says_since_when() -> Result<(), LoadError> {
 fn a_load_that_falls_from_the_start_is_to_be_smoothed() -> Result<(), LoadError> {
     let contact = contact(Paraboloid, PiecewiseLinear::new([(0.0, 80.3), (0.01, 79.9), (0.02, 80.1)])?);
     let is_receding = |e: &ContactError| matches!(e, ContactError::Receding { since: 0.0, .. });
-    refused(contact.at(0.02), is_receding, "does not cover; clamp falls that are noise, as the");
+    refused(contact.at(0.02), is_receding, "does not cover; check whether the chi of the layers should");
     Ok(())
 }
 
