@@ -15,9 +15,10 @@
 //! **Straight loads.** The load hands out its pieces in order. Short ones are integrated many at once
 //! ([`batch`](super::batch)), the others one by one.
 //!
-//! **Loads that are not straight** are followed in [`steps`].
+//! **Loads that are not straight** are followed in [`steps`], from shortly before the edge [passes](reach) the reach on.
 
 mod edge;
+mod reach;
 mod steps;
 
 use super::batch::Batch;
@@ -140,7 +141,11 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
     fn advance_from_knot_to_knot(&mut self) {
         while self.now.time < self.time {
             let knot = knot_between(self.contact.load(), self.now.time, self.time);
-            self.advance_in_steps(knot.unwrap_or(self.time));
+            let end = knot.unwrap_or(self.time);
+            if !self.is_covered() {
+                self.approach_reach(end);
+            }
+            self.advance_in_steps(end);
         }
     }
 

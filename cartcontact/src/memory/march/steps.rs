@@ -184,7 +184,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
     }
 
     /// The force from now to the end of a step.
-    fn force_series(&self, end: T) -> ForceSeries<T> {
+    pub(super) fn force_series(&self, end: T) -> ForceSeries<T> {
         let times = (self.now.time, end);
         ForceSeries::without_noise(self.contact.load(), times, self.contact.medium().chi())
     }
@@ -236,7 +236,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
 
     /// Continues through a step if the contact stays below the radii that the transition is for: then only the impulse
     /// counts, and any way will do.
-    fn advance_below_reach(&mut self, force: &ForceSeries<T>) -> bool {
+    pub(super) fn advance_below_reach(&mut self, force: &ForceSeries<T>) -> bool {
         let mut ahead = self.clone();
         ahead.advance_through_jump(force);
         let is_below = ahead.now.radius < self.transition.reach;
