@@ -13,10 +13,12 @@ use crate::numbers::bits::nearest_integer;
 /// `sensitivities` does; `num_dual::jacobian` takes such a function of an `SVector` as it is. Functions such as `exp`
 /// come with the bound, without an import. Dual numbers of dual numbers, and those such as `DualDVec64` whose number of
 /// variables is known only at run time, do not qualify. A release of `num-dual` fits if it is made for the same
-/// `simba`: 0.15 for 0.10, with `nalgebra` 0.35. A radius with one derivative takes about twice as long as without, a
-/// pressure under a held load some four times, eight after thirty e-foldings, and one under a load of a hundred knots
-/// seven times. Up to eight derivatives at once, as from `jacobian`, take 0.9 to 2.2 times as many instructions as one
-/// run with a `Dual64` for each. Derivatives of radii are right to rounding up to the third.
+/// `simba`: 0.15 for 0.10, with `nalgebra` 0.35. It needs the standard library, and its feature `nalgebra`, a default
+/// one. A radius with one derivative takes about twice as long as without, a pressure under a held load some four times,
+/// eight after thirty e-foldings, and one under a load of a hundred knots seven times. Up to eight derivatives at once,
+/// as from `jacobian`, take 0.9 to 2.2 times as many instructions as one run with a `Dual64` for each. Derivatives of
+/// radii are right to rounding up to the third; beside fields and with powers such as r^2.3, which are whole powers of a
+/// root of the radius, the rounding of that root counts, by some tens of ε.
 ///
 /// These derivatives, of pressures unless other results are named, may be wrong or NaN:
 ///
