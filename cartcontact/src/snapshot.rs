@@ -68,7 +68,8 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
     ///
     /// # Accuracy
     ///
-    /// Within 1 + a δ₀′/δ₀ units in the last place, times the condition number of J where terms of both signs cancel.
+    /// Within 3/2 + a δ₀′/δ₀ units in the last place, times the condition number of J where terms of both signs cancel:
+    /// of one term rⁿ, within 3/2 + n.
     ///
     /// # Examples
     ///

@@ -29,6 +29,13 @@ pub fn degree_of_approach(profile: &dyn GapProfile<f64>, a: f64) -> f64 {
     a * profile.approach_slope(a) / profile.approach(a)
 }
 
+/// 3/2 + a δ₀′/δ₀, with which the error of an approach grows: its coefficients and the result are rounded, by 3/2 units
+/// in the last place, and the errors of the radius count with the degree.
+#[must_use]
+pub fn of_approach(profile: &dyn GapProfile<f64>, a: f64) -> f64 {
+    1.5 + degree_of_approach(profile, a)
+}
+
 /// Σ|terms of J|/(a J′) but at least 1, the factor with which errors of the terms count in a radius; `sizes` is the
 /// geometry [`of_sizes`] of the same terms.
 #[must_use]

@@ -232,9 +232,9 @@ fn check_contacts(scenes: impl IntoIterator<Item = (Scene, Box<dyn GapProfile<f6
         let exact_radius = oracle.radius(scene.time);
         let a = rounded(&exact_radius);
         let condition = condition::of_radius(&*profile, &of_sizes(&scene.terms), a);
-        let degree = condition::degree_of_approach(&*profile, a);
+        let of_approach = condition::of_approach(&*profile, a);
         radius.add(found.0, &exact_radius, condition, &scene);
-        approach.add(found.1, &oracle.approach(scene.time), condition * (1.0 + degree), &scene);
+        approach.add(found.1, &oracle.approach(scene.time), condition * of_approach, &scene);
         let [exact_pressure, exact_peak] = oracle.pressures([r, 0.0], scene.time);
         let distance = rounded(&(exact_radius - double(r)));
         if distance > 0.0 {

@@ -65,16 +65,16 @@ fn contacts_are_those_of_the_reference() {
                 let [a, delta, p, p0] = row.solved(profile, |x| x);
                 let exact = row.radius.nearest;
                 let condition = condition::of_radius(row.case.double, &row.case.of_sizes(), exact);
-                let degree = condition::degree_of_approach(row.case.double, exact);
+                let of_approach = condition::of_approach(row.case.double, exact);
                 radius.add(a, row.radius, condition, &place);
-                approach.add(delta, row.approach, condition * (1.0 + degree), &place);
+                approach.add(delta, row.approach, condition * of_approach, &place);
                 pressure.add(p, row.pressure, condition::edge(exact, row.r), &place);
                 peak.add(p0, row.peak_pressure, 1.0, &place);
             });
         }
     }
     radius.check();
-    approach.check_worst();
+    approach.check();
     pressure.check();
     peak.check();
 }

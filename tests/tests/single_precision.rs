@@ -151,14 +151,14 @@ fn contacts_in_single_precision_agree_with_double() {
         let single = row.solved(row.case.single, |x| x as f32);
         let double = row.solved(row.case.double, |x| f64::from(x as f32));
         let condition = condition::of_radius(row.case.double, &row.case.of_sizes(), double[0]);
-        let degree = condition::degree_of_approach(row.case.double, double[0]);
+        let of_approach = condition::of_approach(row.case.double, double[0]);
         radius.add(single[0], double[0], condition, &row);
-        approach.add(single[1], double[1], condition * (1.0 + degree), &row);
+        approach.add(single[1], double[1], condition * of_approach, &row);
         pressure.add(single[2], double[2], condition::edge(double[0], f64::from(row.r as f32)), &row);
         peak.add(single[3], double[3], 1.0, &row);
     }
     radius.check();
-    approach.check_worst();
+    approach.check();
     pressure.check_worst();
     peak.check();
 }
