@@ -8,9 +8,11 @@
 //! error is divided by p = a J′/J > 4, and from the last subtraction.
 //!
 //! **Derivatives.** Where numbers carry some, the step is taken for the value alone. From the radius without derivatives
-//! then follow steps a ← a − a (J(a) − y)/aJ′ with aJ′ a plain number: each adds the derivatives of one more order. They
-//! have no error but rounding, as the radius has none, and nothing is divided by a number with derivatives: the square of
-//! that could leave the format.
+//! then follow steps a ← a − a (J(a) − y)/aJ′ with aJ′ a plain number: each adds the derivatives of one more order.
+//! Nothing is divided by a number with derivatives: the square of that could leave the format. They have no error but
+//! rounding, as the radius has none; but J′ multiplies the rounding of the radius by p − 1, and up to twenty times as much
+//! where the step finds a root of it. So y is first multiplied by a plain number next to 1 that makes it J of the rounded
+//! radius, which leaves da/a = (dy/y) J/aJ′, and J/aJ′ hardly depends on the radius.
 
 use crate::Scalar;
 use crate::evaluate::power::integer_power;
@@ -18,16 +20,18 @@ use crate::evaluate::steepness::Steepness;
 use crate::numbers::halved::{Halved, product_with_few_digits};
 use crate::scalar::{derivatives, has_no_derivatives, highest_derivative, without_derivatives};
 
-/// The root of a function with its derivatives, from its value. The function comes with 1/(x f′), of which only the value
-/// counts.
+/// The root of a function with its derivatives, from its value, what the function is there and 1/(x f′), of which only
+/// the value counts.
 #[inline(always)]
-pub(super) fn with_derivatives<T: Scalar>(value: T, function: impl Fn(T) -> (T, T)) -> T {
-    let value = without_derivatives(value);
-    let (at_value, inverse_slope) = function(value);
+pub(super) fn with_derivatives<T: Scalar>(
+    value: T,
+    (at_value, inverse_slope): (T, T),
+    function: impl Fn(T) -> T,
+) -> T {
     let share = without_derivatives(inverse_slope * value);
     let mut root = with_value(value, -(at_value * share));
     for _ in 1..highest_derivative::<T>() {
-        root = with_value(value, root - function(root).0 * share);
+        root = with_value(value, root - function(root) * share);
     }
     root
 }
@@ -50,15 +54,18 @@ pub(super) fn radius_from_root<T: Scalar, const Q: u32>(
     if has_no_derivatives::<T>() {
         return radius;
     }
+    let root = without_derivatives(steepness.root::<Q>(seed, target));
+    let at_root = evaluate(root);
+    let target = target.reached_by(at_root.load_integral());
     let root = with_derivatives(
-        steepness.root::<Q>(seed, target),
+        root,
+        (at_root.surplus(target), at_root.inverse_slope()),
         #[inline(always)]
-        |x| {
-            let steepness = evaluate(x);
-            (steepness.surplus(target), steepness.inverse_slope())
-        },
+        |x| evaluate(x).surplus(target),
     );
-    with_value(without_derivatives(radius), integer_power(root, Q))
+    // Here, too, only the share counts: the power multiplies the rounding of the root by `Q` − 1.
+    let (radius, power) = (without_derivatives(radius), integer_power(root, Q));
+    with_value(radius, power * without_derivatives(radius / power))
 }
 
 /// The value that J has to reach: a number rounded from a product, and what it lacks of that product.
@@ -82,6 +89,13 @@ impl<T: Scalar> Target<T> {
     pub(super) fn times_denominator(load_integral: T, denominator: T) -> Self {
         let (value, rest) = product_with_few_digits(load_integral, denominator);
         Self { value, rest }
+    }
+
+    /// The target times a plain number that makes it equal to a load integral but for derivatives.
+    #[inline(always)]
+    fn reached_by(self, load_integral: T) -> Self {
+        let share = without_derivatives(load_integral / self.value);
+        Self { value: self.value * share, rest: self.rest * share }
     }
 }
 
@@ -144,6 +158,12 @@ impl<T: Scalar> Steepness<T> {
         let surplus = self.surplus(target);
         let share = surplus * target.value.recip();
         self.step_of(surplus, T::one()) * (T::one() + T::constant(1.0 / 12.0) * share * share)
+    }
+
+    /// J, rounded.
+    #[inline(always)]
+    fn load_integral(self) -> T {
+        self.power * self.value - self.excess
     }
 
     /// How much J is too large at the seed.

@@ -204,6 +204,41 @@ fn radii_have_the_values_of_plain_numbers_and_all_derivatives() -> Result<(), Ra
     compare::<OfFallingPolynomial>(0.01, 1.15)
 }
 
+/// The largest error of first derivatives in single precision, in ε, beside those in double precision.
+fn error_in_single<G: Geometry>() -> Result<f64, RadiusError> {
+    let (b, mut largest) = (0.025_f32, 0.0);
+    for k in 0..2000 {
+        let y = (0.01 * 1.008_f64.powi(k)) as f32;
+        for [by_y, by_b] in [[1.0, 0.0], [0.0, 1.0]] {
+            let single = G::radius(Dual32::new(b, by_b), Dual32::new(y, by_y))?;
+            let (b, y, by_b, by_y) = (b.into(), y.into(), by_b.into(), by_y.into());
+            let double = G::radius(Dual64::new(b, by_b), Dual64::new(y, by_y))?;
+            largest = f64::max(largest, relative_error(single.eps.into(), double.eps, f32::EPSILON.into()));
+        }
+    }
+    Ok(largest)
+}
+
+/// The rounding of a radius, or of a root of it, is not multiplied by the powers that are taken of it: up to 32 in a
+/// geometry of fifth roots.
+#[test]
+fn first_derivatives_are_right_to_a_few_roundings() -> Result<(), RadiusError> {
+    for (name, error) in [
+        ("Even", error_in_single::<OfEven>()?),
+        ("Single", error_in_single::<OfSingle>()?),
+        ("Halves", error_in_single::<OfHalves>()?),
+        ("Fifths", error_in_single::<OfFifths>()?),
+        ("Whole", error_in_single::<OfWhole>()?),
+        ("WholeOfRoot", error_in_single::<OfWholeOfRoot>()?),
+        ("Real", error_in_single::<OfReal>()?),
+        ("Polynomial", error_in_single::<OfPolynomial>()?),
+    ] {
+        println!("{name}: {error}");
+        assert!(error < 4.0, "{name}: {error} ε");
+    }
+    Ok(())
+}
+
 /// Outside the tables of seeds.
 #[test]
 fn radii_of_tiny_and_huge_load_integrals_have_all_derivatives() -> Result<(), RadiusError> {
