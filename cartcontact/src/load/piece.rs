@@ -107,19 +107,16 @@ impl<T: Scalar> Piece<T> {
         self.is_step() || (slope + slope).is_finite()
     }
 
-    /// −F′/F at the end of the piece, where it is largest; 0 only if the load does not fall.
-    pub(super) fn fall(&self) -> T {
-        self.fall_forgiving(T::zero())
-    }
-
     /// The [`fall`](Self::fall) if rounding has made the force at the end smaller, by 8 ε of the first one. A fall as
     /// fast as e^(−χ t) may be too fast by that much when its forces are rounded: a long fall leaves so little that this
     /// is more than its own rounding.
     pub(super) fn fall_beyond_rounding(&self) -> T {
-        self.fall_forgiving(allowed_fall(self.start.1))
+        self.fall(allowed_fall(self.start.1))
     }
 
-    fn fall_forgiving(&self, rounding: T) -> T {
+    /// −F′/F at the end of the piece, where it is largest, if the force there has been rounded down by as much as
+    /// `rounding`; 0 only if the load does not fall by more.
+    fn fall(&self, rounding: T) -> T {
         let (first, last) = (self.start.1, self.end.1);
         let drop = (first - last) - rounding;
         // A drop is a share of the force that the format can hold, so only the result can leave the format.
@@ -145,7 +142,7 @@ impl<T: Scalar> Piece<T> {
         if self.keeps_bound(least) {
             return least;
         }
-        let (mut low, mut high) = (least, self.fall().max(least));
+        let (mut low, mut high) = (least, self.fall(T::zero()).max(least));
         let mut step = high * T::default_epsilon();
         while high.is_finite() && !self.keeps_bound(high) {
             high += step;
