@@ -2,7 +2,8 @@
 
 use crate::{GapProfile, Scalar};
 
-/// The degree at a radius, which terms of both signs may make nearly vanish; for others 4, the least that it can be.
+/// The degree at a radius where terms have both signs, which may make it nearly vanish; otherwise 4, the least that it
+/// can be.
 pub(super) fn least_degree<T: Scalar>(profile: &impl GapProfile<T>, a: T) -> T {
     if profile.has_only_positive_terms() {
         T::constant(4.0)
