@@ -6,7 +6,7 @@ use crate::Scalar;
 use crate::contact::Contact;
 use crate::dispatch::wide;
 use crate::load::Load;
-use crate::memory::{Late, Stage, faded_folds, march, not_negative};
+use crate::memory::{Edge, Late, Stage, faded_folds, march, not_negative};
 use crate::profile::GapProfile;
 use crate::scalar::{has_no_derivatives, is_plain_zero};
 
@@ -30,18 +30,17 @@ use crate::scalar::{has_no_derivatives, is_plain_zero};
 /// ```
 pub struct Snapshot<'a, T, P, L> {
     contact: &'a Contact<T, P, L>,
-    time: T,
-    radius: T,
+    edge: Edge<T>,
 }
 
 impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
-    pub(crate) fn new(contact: &'a Contact<T, P, L>, time: T, radius: T) -> Self {
-        Self { contact, time, radius }
+    pub(crate) fn new(contact: &'a Contact<T, P, L>, edge: Edge<T>) -> Self {
+        Self { contact, edge }
     }
 
     /// The time t, in s.
     pub fn time(&self) -> T {
-        self.time
+        self.edge.time
     }
 
     /// The contact radius a(t), in mm.
@@ -50,7 +49,7 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
     ///
     /// Eq. (14), doi 10.1016/j.mechrescom.2010.11.006.
     pub fn radius(&self) -> T {
-        self.radius
+        self.edge.radius
     }
 
     /// The approach δ₀(t) of the bones, in mm.
@@ -88,12 +87,12 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
     ///
     /// Eq. (10), doi 10.1016/j.mechrescom.2010.11.006.
     pub fn approach(&self) -> T {
-        self.contact.approach(self.contact.loading(self.time), self.time, self.radius)
+        self.contact.approach(self.contact.loading(self.edge.time), self.edge)
     }
 
     /// The load F(t), in N; it equals 2π ∫₀ᵃ P r dr.
     pub fn force(&self) -> T {
-        self.contact.load().force(self.time)
+        self.contact.load().force(self.edge.time)
     }
 
     /// The contact pressure P(r, t) at the distance |r| from the axis, in MPa; zero outside the contact.
@@ -132,16 +131,16 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
     /// Eq. (28), doi 10.1016/j.mechrescom.2010.11.006.
     pub fn pressure(&self, r: T) -> T {
         let r = r.abs();
-        if r >= self.radius {
+        if r >= self.edge.radius {
             return T::zero();
         }
         if self.is_undrained() {
             // e^(−χ t): a zero may carry a derivative.
             let decay = T::one() - self.folds();
-            return self.undrained_pressure(self.contact.stage(self.time, self.radius), r) * decay;
+            return self.undrained_pressure(self.contact.stage(self.edge), r) * decay;
         }
         let start = self.first_stage();
-        let change = march(self.contact, start, (self.time, self.radius), r);
+        let change = march(self.contact, start, self.edge, r);
         change.apply(self.initial_pressure(start, r), r)
     }
 
@@ -170,10 +169,15 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
         self.pressure(T::zero())
     }
 
+    /// The time and the contact radius.
+    pub(crate) fn edge(&self) -> Edge<T> {
+        self.edge
+    }
+
     /// χ t.
     #[inline(always)]
     fn folds(&self) -> T {
-        self.contact.medium().chi() * self.time
+        self.contact.medium().chi() * self.edge.time
     }
 
     /// Whether nothing has drained, and no history has to be followed. What drains at a rate of zero may have a derivative,
@@ -182,7 +186,7 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
     fn is_undrained(&self) -> bool {
         self.folds().is_zero()
             && (has_no_derivatives::<T>()
-                || self.time.is_zero()
+                || self.edge.time.is_zero()
                 || !self.contact.load().is_linear_between_knots())
     }
 
@@ -195,9 +199,8 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
             pressures.iter_mut().zip(radii).for_each(|(pressure, &r)| *pressure = self.pressure(r));
             return;
         }
-        let start =
-            if is_undrained { self.contact.stage(self.time, self.radius) } else { self.first_stage() };
-        let from_start = march(self.contact, start, (self.time, self.radius), start.radius);
+        let start = if is_undrained { self.contact.stage(self.edge) } else { self.first_stage() };
+        let from_start = march(self.contact, start, self.edge, start.radius);
         // A loop without branches; its values beyond the radius at the start mean nothing and are replaced by the next
         // loop.
         let (profile, m) = (self.contact.profile(), self.contact.medium().m());
@@ -217,13 +220,13 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
                 }
             },
         );
-        let is_late = |r: T| start.radius < r && r < self.radius;
+        let is_late = |r: T| start.radius < r && r < self.edge.radius;
         let count = radii.iter().filter(|&&r| is_late(r)).count();
-        let mut late = Late::between(self.contact, start, (self.time, self.radius), count);
+        let mut late = Late::between(self.contact, start, self.edge, count);
         for (pressure, &r) in pressures.iter_mut().zip(radii) {
             if is_late(r) {
                 *pressure = late.pressure(r);
-            } else if r >= self.radius {
+            } else if r >= self.edge.radius {
                 *pressure = T::zero();
             }
         }
@@ -261,9 +264,9 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
         let folds = faded_folds::<T>();
         let present = self.force();
         let mut past = folds;
-        while past < chi * self.time {
+        while past < chi * self.edge.time {
             // One rounding of the time more, so that no fewer e-foldings are left when the difference is rounded.
-            let time = self.time - (past / chi + self.time * T::default_epsilon());
+            let time = self.edge.time - (past / chi + self.edge.time * T::default_epsilon());
             if time <= T::zero() {
                 break;
             }
@@ -282,7 +285,7 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
         let time = self.start_of_memory();
         let loading = self.contact.loading(time);
         let radius = self.contact.radius_under_loading(loading).unwrap_or(T::zero());
-        self.contact.stage_with_loading(loading, time, radius)
+        self.contact.stage_with_loading(loading, Edge { time, radius })
     }
 }
 
@@ -298,8 +301,8 @@ impl<T: Copy, P, L> Copy for Snapshot<'_, T, P, L> {}
 impl<T: fmt::Debug, P, L> fmt::Debug for Snapshot<'_, T, P, L> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("Snapshot")
-            .field("time", &self.time)
-            .field("radius", &self.radius)
+            .field("time", &self.edge.time)
+            .field("radius", &self.edge.radius)
             .finish_non_exhaustive()
     }
 }

@@ -18,6 +18,7 @@ use scales::Scales;
 
 use crate::load::Load;
 use crate::medium::Medium;
+use crate::memory::Edge;
 use crate::profile::{GapProfile, RadiusError};
 use crate::snapshot::Snapshot;
 use crate::{Scalar, field};
@@ -145,7 +146,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
     // is inlined into a loop over times, which saves 40 % of the instructions.
     #[inline(always)]
     pub fn at(&self, t: T) -> Result<Snapshot<'_, T, P, L>, ContactError> {
-        Ok(Snapshot::new(self, t, self.radius_at(t)?))
+        Ok(Snapshot::new(self, Edge { time: t, radius: self.radius_at(t)? }))
     }
 
     /// The contact radii at many times, in mm; `radii[i]` belongs to `times[i]`, in any order.

@@ -5,10 +5,10 @@
 //! blocks 4 roundings of every length add up, instead of N. Radii that the contact had not reached at that row keep
 //! their values.
 
-use super::block::Edge;
 use super::long_change::LongChange;
 use super::sweep::Change;
 use crate::Scalar;
+use crate::memory::Edge;
 
 /// How many blocks, or lengths of the next shorter kind, an anchor lasts.
 const RATIO: usize = 4;

@@ -9,7 +9,7 @@ use crate::Scalar;
 use crate::contact::{Contact, ContactError};
 use crate::dispatch::out_of_line;
 use crate::load::Load;
-use crate::memory::{Late, march};
+use crate::memory::{Edge, Late, march};
 use crate::profile::GapProfile;
 
 /// After how many rows one is taken from the row before all of them, at radii that were not covered at the base of their
@@ -18,13 +18,6 @@ const ROWS_PER_ANCHOR: usize = 8;
 
 /// How such rows follow from those [`ROWS_PER_ANCHOR`] before them.
 type BetweenAnchors<T> = [Change<T>; BLOCK / ROWS_PER_ANCHOR];
-
-/// The edge of the contact at a time.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Edge<T> {
-    pub(super) time: T,
-    pub(super) radius: T,
-}
 
 /// Consecutive rows, and how they follow from their base, the row before the first of them.
 pub(super) struct Block<'a, T, P, L> {
@@ -125,8 +118,8 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Block<'a, T, P, L> {
                 break;
             }
             let radius = contact.advancing_radius_at(time)?;
-            let start = contact.stage(before.time, before.radius);
-            let transition = march(contact, start, (time, radius), before.radius);
+            let start = contact.stage(before);
+            let transition = march(contact, start, Edge { time, radius }, before.radius);
             let change = Change::of(transition, chi * (time - before.time));
             let is_slow = change.is_slow();
             let until_now = if is_slow {
@@ -200,8 +193,8 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Block<'a, T, P, L> {
         } else {
             // Sections take several KiB of the stack.
             out_of_line(move || {
-                let start = self.contact.stage(base.time, base.radius);
-                let mut sections = Late::between(self.contact, start, (now.time, now.radius), count);
+                let start = self.contact.stage(base);
+                let mut sections = Late::between(self.contact, start, now, count);
                 late.for_each(|(value, &r)| *value = sections.pressure(r));
             });
         }
@@ -262,8 +255,8 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Block<'a, T, P, L> {
         match &self.panel {
             Some(panel) => panel.first_pressure(before, now, r),
             None => {
-                let start = self.contact.stage(before.time, before.radius);
-                march(self.contact, start, (now.time, now.radius), r).apply(T::zero(), r)
+                let start = self.contact.stage(before);
+                march(self.contact, start, now, r).apply(T::zero(), r)
             }
         }
     }

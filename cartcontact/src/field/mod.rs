@@ -25,12 +25,12 @@ mod sweep;
 use crate::Scalar;
 use crate::contact::{Contact, ContactError, check_length, recession_within};
 use crate::load::Load;
-use crate::memory::faded_folds;
+use crate::memory::{Edge, faded_folds};
 use crate::profile::GapProfile;
 use crate::scalar::{has_no_derivatives, is_finite_and_not_negative};
 use crate::snapshot::Snapshot;
 use anchors::Anchors;
-use block::{Block, Edge};
+use block::Block;
 use runs::Runs;
 use sweep::TILE;
 
@@ -88,13 +88,13 @@ where
     }
     first.pressures(radii, &mut values[..width]);
     let runs = Runs::of(radii);
-    let mut block = Block::after(contact, Edge { time: first.time(), radius: first.radius() });
+    let mut block = Block::after(contact, first.edge());
     let mut anchors = Anchors::at(0, block.last());
     let (mut squares, mut done) = ([T::zero(); TILE], 1);
     while done < times.len() {
         if let Some(now) = snapshot_if_apart(contact, block.last().time, times[done])? {
             now.pressures(radii, &mut values[done * width..][..width]);
-            block = Block::after(contact, Edge { time: now.time(), radius: now.radius() });
+            block = Block::after(contact, now.edge());
             anchors = Anchors::at(done, block.last());
             done += 1;
             continue;
@@ -123,7 +123,7 @@ where
     if !may_be_apart(contact, before, time) {
         return Ok(None);
     }
-    let now = Snapshot::new(contact, time, contact.advancing_radius_at(time)?);
+    let now = Snapshot::new(contact, Edge { time, radius: contact.advancing_radius_at(time)? });
     let is_apart = time <= before || before < now.start_of_memory();
     Ok(is_apart.then_some(now))
 }

@@ -20,13 +20,12 @@
 //! powers of the geometry do not multiply it.
 
 use super::BLOCK;
-use super::block::Edge;
 use super::sweep::Changes;
 use crate::Scalar;
 use crate::contact::Contact;
 use crate::dispatch::wide;
 use crate::load::Load;
-use crate::memory::{FEW_FOLDS, Line, decay_gain, not_negative};
+use crate::memory::{Edge, FEW_FOLDS, Line, decay_gain, not_negative};
 use crate::numbers::cosines::cosine_of_sixteenths;
 use crate::numbers::tabled::{Tabled, tabled};
 use crate::profile::GapProfile;

@@ -7,7 +7,7 @@
 //!
 //! Stages in between are computed independently, as rows of a field are.
 
-use super::{Stage, Transition, march};
+use super::{Edge, Stage, Transition, march};
 use crate::contact::Contact;
 use crate::load::{Load, knot_between};
 use crate::scalar::has_no_derivatives;
@@ -25,22 +25,23 @@ pub(crate) struct Late<'a, T, P, L> {
     count: usize,
     /// The beginning of each section.
     stages: [Stage<T>; MOST_SECTIONS],
-    /// The end of the last, a time with its contact radius.
-    end: (T, T),
+    /// The edge at the end of the last.
+    end: Edge<T>,
     /// How pressures change from the end of each section on, where a radius has asked for it.
     to_end: [Option<Transition<T>>; MOST_SECTIONS],
 }
 
 impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Late<'a, T, P, L> {
-    /// For so many radii, reached between a stage and a time with its contact radius.
+    /// For so many radii, reached between a stage and the end.
     pub(crate) fn between(
         contact: &'a Contact<T, P, L>,
         start: Stage<T>,
-        (time, radius): (T, T),
+        end: Edge<T>,
         radius_count: usize,
     ) -> Self {
         let load = contact.load();
-        let is_one_piece = load.is_linear_between_knots() && knot_between(load, start.time, time).is_none();
+        let is_one_piece =
+            load.is_linear_between_knots() && knot_between(load, start.time, end.time).is_none();
         let count = if radius_count < FEWEST_RADII_FOR_SECTIONS || is_one_piece || !has_no_derivatives::<T>()
         {
             1
@@ -48,16 +49,16 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Late<'a, T, P, L> {
             (2 * radius_count).isqrt().min(MOST_SECTIONS)
         };
         let mut stages = [start; MOST_SECTIONS];
-        let length = (time - start.time) / T::constant(count as f64);
+        let length = (end.time - start.time) / T::constant(count as f64);
         for index in 1..count {
             let before = stages[index - 1].radius;
             let now = start.time + length * T::constant(index as f64);
             let loading = contact.loading(now);
             // An edge that stands still may seem to recede by a rounding.
-            let reached = contact.radius_under_loading(loading).unwrap_or(before).max(before).min(radius);
-            stages[index] = contact.stage_with_loading(loading, now, reached);
+            let reached = contact.radius_under_loading(loading).unwrap_or(before).max(before).min(end.radius);
+            stages[index] = contact.stage_with_loading(loading, Edge { time: now, radius: reached });
         }
-        Self { contact, count, stages, end: (time, radius), to_end: [None; MOST_SECTIONS] }
+        Self { contact, count, stages, end, to_end: [None; MOST_SECTIONS] }
     }
 
     /// The pressure at the end at a radius that is reached after the start.
@@ -65,7 +66,7 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Late<'a, T, P, L> {
         let later = &self.stages[1..self.count];
         let index = later.partition_point(|stage| stage.radius <= r);
         let next = later.get(index);
-        let end_of_section = next.map_or(self.end, |next| (next.time, next.radius));
+        let end_of_section = next.map_or(self.end, |next| Edge { time: next.time, radius: next.radius });
         let first = march(self.contact, self.stages[index], end_of_section, r).apply(T::zero(), r);
         let Some(next) = next else { return first };
         let to_end =

@@ -24,11 +24,11 @@
 //! | `line`, `fading` | how long ago Y was smaller, along a straight load; what is left after some e-foldings |
 //! | `degree` | a J′/J, by which errors of J are divided in a radius |
 //!
-//! Terms used throughout: a *stage* is a time with its contact radius; the *age* of a radius is the time since the edge
-//! passed it; a *fold* is one e-folding, a duration of 1/χ; a *deficit* is the amount by which Y was smaller than at
-//! the end of a stretch, and the *surplus* of a stage the amount by which Y exceeds that of its rounded radius; the
-//! *strip* is the ring between the rounded radius and the exact one; the *reach* of a transition is the largest radius
-//! that it holds for.
+//! Terms used throughout: an *edge* is a time with its contact radius, and a *stage* adds what follows from the load;
+//! the *age* of a radius is the time since the edge passed it; a *fold* is one e-folding, a duration of 1/χ; a
+//! *deficit* is the amount by which Y was smaller than at the end of a stretch, and the *surplus* of a stage the amount
+//! by which Y exceeds that of its rounded radius; the *strip* is the ring between the rounded radius and the exact one;
+//! the *reach* of a transition is the largest radius that it holds for.
 
 mod batch;
 mod degree;
@@ -53,6 +53,6 @@ pub(crate) use late::Late;
 pub(crate) use line::Line;
 pub(crate) use march::march;
 pub(crate) use radius_form::share_that_counts;
-pub(crate) use stage::Stage;
 use stage::surplus_that_counts;
+pub(crate) use stage::{Edge, Stage};
 pub(crate) use transition::{Transition, not_negative};

@@ -6,7 +6,15 @@ use crate::numbers::compensated_sum::CompensatedSum;
 use crate::scalar::is_plain_zero;
 use crate::{GapProfile, Scalar};
 
-/// A stage of the contact: a time with its contact radius.
+/// The edge of the contact at a time.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Edge<T> {
+    pub(crate) time: T,
+    /// The contact radius then.
+    pub(crate) radius: T,
+}
+
+/// A stage of the contact: its edge at a time, and what follows from the load.
 ///
 /// The radius is rounded, which moves pressures by up to (n+2) ε/2. `surplus` is the amount by which the hereditary
 /// load exceeds that of the rounded radius; to first order the two together are the radius to twice the precision.
@@ -34,22 +42,21 @@ impl<T: Scalar> Stage<T> {
 }
 
 impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
-    /// A time with its contact radius, for integrals that begin or end there.
-    pub(crate) fn stage(&self, time: T, radius: T) -> Stage<T> {
-        self.stage_with_loading(self.loading(time), time, radius)
+    /// The stage of an edge, for integrals that begin or end there.
+    pub(crate) fn stage(&self, edge: Edge<T>) -> Stage<T> {
+        self.stage_with_loading(self.loading(edge.time), edge)
     }
 
     /// [`stage`](Self::stage) under a loading that the caller knows.
-    pub(crate) fn stage_with_loading(&self, loading: Loading<T>, time: T, radius: T) -> Stage<T> {
-        self.stage_with_load_integral(loading, time, radius, self.profile().quick_load_integral(radius))
+    pub(crate) fn stage_with_loading(&self, loading: Loading<T>, edge: Edge<T>) -> Stage<T> {
+        self.stage_with_load_integral(loading, edge, self.profile().quick_load_integral(edge.radius))
     }
 
     /// The stage with a radius whose load integral is known.
     pub(crate) fn stage_with_load_integral(
         &self,
         loading: Loading<T>,
-        time: T,
-        radius: T,
+        Edge { time, radius }: Edge<T>,
         load_integral: T,
     ) -> Stage<T> {
         let surplus = loading.hereditary - self.load_per_integral() * load_integral;

@@ -24,20 +24,20 @@ mod steps;
 use super::batch::Batch;
 use super::fading::{Fading, faded_folds};
 use super::stretch::{Course, Stretch};
-use super::{Stage, Transition, not_negative, surplus_that_counts};
+use super::{Edge, Stage, Transition, not_negative, surplus_that_counts};
 use crate::contact::{Contact, Loading};
 use crate::load::{Load, MOST_PIECES, Piece, knot_between, least_step, pieces_between};
 use crate::numbers::compensated_sum::CompensatedSum;
 use crate::scalar::{has_no_derivatives, is_plain_zero};
 use crate::{GapProfile, Scalar};
 
-/// The transition to a time with its contact radius, for radii up to `reach` or the first radius, the larger of the two.
+/// The transition to the edge at a later time, for radii up to `reach` or the first radius, the larger of the two.
 // Inlined into its few callers, which then need not copy the stages.
 #[inline(always)]
 pub(crate) fn march<T, P, L>(
     contact: &Contact<T, P, L>,
     from: Stage<T>,
-    (time, radius): (T, T),
+    end: Edge<T>,
     reach: T,
 ) -> Transition<T>
 where
@@ -45,22 +45,21 @@ where
     P: GapProfile<T>,
     L: Load<T>,
 {
-    let force = contact.load().force(time);
+    let force_at_end = contact.load().force(end.time);
     // Of equal ones the first radius: from there on load is laid, also for other values of the parameters with respect to
     // which numbers carry derivatives.
     let reach = from.radius.max(reach);
     let mut march = March {
         contact,
-        time,
         // An edge that stands still may seem to recede by a rounding.
-        radius: radius.max(from.radius),
-        force,
+        end: Edge { radius: end.radius.max(from.radius), ..end },
+        force_at_end,
         now: from,
         // The pressures at the start include the strip beyond its rounded radius.
         has_strip: reach <= from.radius,
         transition: Transition::none(reach),
     };
-    let has_knots = knot_between(contact.load(), from.time, time).is_some();
+    let has_knots = knot_between(contact.load(), from.time, end.time).is_some();
     match (contact.load().is_linear_between_knots(), has_knots) {
         _ if is_plain_zero(contact.medium().chi()) => march.advance_at_once(),
         (true, true) => march.advance_in_pieces(),
@@ -82,10 +81,8 @@ fn is_well_conditioned<T: Scalar>(difference: T, sizes: T) -> bool {
 struct March<'a, T, P, L> {
     contact: &'a Contact<T, P, L>,
     /// Where it ends; the radius there must be met to the last bit.
-    time: T,
-    radius: T,
-    /// The force at the end.
-    force: T,
+    end: Edge<T>,
+    force_at_end: T,
     now: Stage<T>,
     /// Whether the transition includes the strip of the present stage.
     has_strip: bool,
@@ -103,8 +100,8 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
     /// Continues to the end where nothing drains: then it does not count when the load has risen.
     fn advance_at_once(&mut self) {
         let before = self.force_now();
-        self.now.time = self.time;
-        self.jump(before, self.force);
+        self.now.time = self.end.time;
+        self.jump(before, self.force_at_end);
     }
 
     /// Continues to the end along a straight load, and through the jump that it may make there.
@@ -112,24 +109,26 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
     /// pieces.
     fn advance_in_one_piece(&mut self) {
         let (load, start) = (self.contact.load(), self.now.time);
-        if start < self.time {
-            let piece =
-                Piece { start: (start, load.force(start)), end: (self.time, load.force_before(self.time)) };
+        if start < self.end.time {
+            let piece = Piece {
+                start: (start, load.force(start)),
+                end: (self.end.time, load.force_before(self.end.time)),
+            };
             self.advance_straight(piece);
-            self.jump(piece.end.1, self.force);
+            self.jump(piece.end.1, self.force_at_end);
         }
     }
 
     /// Continues to the end along the straight pieces of the load, and through the jumps between them.
     fn advance_in_pieces(&mut self) {
         let mut pieces = [Piece::none(); MOST_PIECES];
-        while self.now.time < self.time {
-            let times = (self.now.time, self.time);
+        while self.now.time < self.end.time {
+            let times = (self.now.time, self.end.time);
             let mut ahead = pieces_between(self.contact.load(), times, &mut pieces);
             while !ahead.is_empty() {
                 let count = self.advance_along_first(ahead).min(ahead.len());
                 let (done, rest) = ahead.split_at(count);
-                let last = done.last().map_or(self.force, |piece| piece.end.1);
+                let last = done.last().map_or(self.force_at_end, |piece| piece.end.1);
                 let next = rest.first().map_or_else(|| self.force_now(), |piece| piece.start.1);
                 self.jump(last, next);
                 ahead = rest;
@@ -139,9 +138,9 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
 
     /// Continues to the end along a load that is not straight, and through its jumps.
     fn advance_from_knot_to_knot(&mut self) {
-        while self.now.time < self.time {
-            let knot = knot_between(self.contact.load(), self.now.time, self.time);
-            let end = knot.unwrap_or(self.time);
+        while self.now.time < self.end.time {
+            let knot = knot_between(self.contact.load(), self.now.time, self.end.time);
+            let end = knot.unwrap_or(self.end.time);
             if !self.is_covered() {
                 self.approach_reach(end);
             }
@@ -150,7 +149,11 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
     }
 
     fn force_now(&self) -> T {
-        if self.now.time < self.time { self.contact.load().force(self.now.time) } else { self.force }
+        if self.now.time < self.end.time {
+            self.contact.load().force(self.now.time)
+        } else {
+            self.force_at_end
+        }
     }
 
     /// Passes a jump of the load, which is never downward. A jump of no height may have a derivative.
@@ -221,10 +224,10 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
     /// The pressures when the piece ended carry F e^(−age) of the force at the end, on a smaller disc; a margin of 3
     /// makes up for the sizes of the discs.
     fn faded_since(&self, piece: &Piece<T>) -> T {
-        if piece.end.1 > self.force {
+        if piece.end.1 > self.force_at_end {
             return T::zero();
         }
-        (self.contact.medium().chi() * (self.time - piece.end.0) - T::constant(3.0)).max(T::zero())
+        (self.contact.medium().chi() * (self.end.time - piece.end.0) - T::constant(3.0)).max(T::zero())
     }
 
     /// Skips the early part of a straight stretch that does not fall, of which nothing is left at its end, and returns
@@ -250,8 +253,9 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         let radius = self.radius_under(time, force);
         self.leave_strip();
         self.transition.fade(Fading::over(chi * skipped.duration()));
-        self.now =
-            self.contact.stage_with_loading(Loading::new(force, self.now.impulse.value, chi), time, radius);
+        self.now = self
+            .contact
+            .stage_with_loading(Loading::new(force, self.now.impulse.value, chi), Edge { time, radius });
         Piece { start: skipped.end, end: piece.end }
     }
 
@@ -336,16 +340,16 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
 
     /// The contact radius [under](Self::radius_under) a force at a time, after another impulse than that so far.
     fn radius_after(&self, impulse: CompensatedSum<T>, (time, force): (T, T)) -> T {
-        if time >= self.time && force >= self.force {
-            return self.radius;
+        if time >= self.end.time && force >= self.force_at_end {
+            return self.end.radius;
         }
         // Early on, rounding can make an impulse negative.
         let hereditary = (force + self.contact.medium().chi() * impulse.value).max(T::zero());
         self.contact
             .radius_under_hereditary(hereditary)
-            .unwrap_or(self.radius)
+            .unwrap_or(self.end.radius)
             .max(self.now.radius)
-            .min(self.radius)
+            .min(self.end.radius)
     }
 
     fn quarter_m(&self) -> T {

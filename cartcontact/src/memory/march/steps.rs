@@ -108,7 +108,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         let mut pace = Pace::over(end - self.now.time, end);
         let mut doubts = MOST_DOUBTS;
         // A share x of the force leaves a share x^((n+2)/(n+4)) of the pressure on the axis, and nothing elsewhere.
-        let negligible = self.force * (T::default_epsilon() * T::default_epsilon());
+        let negligible = self.force_at_end * (T::default_epsilon() * T::default_epsilon());
         while self.now.time < end {
             let force = self.force_series(pace.stop(self.now.time, end));
             if force.largest() <= negligible {
