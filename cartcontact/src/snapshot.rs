@@ -270,9 +270,9 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
             if time <= T::zero() {
                 break;
             }
-            let share = load.force(time) * (folds - past).exp();
-            // Also where the share is not a number, so that the search ends.
-            if share.partial_cmp(&present) != Some(core::cmp::Ordering::Greater) {
+            // False also where that is not a number, so that the search ends.
+            let counts = load.force(time) * (folds - past).exp() > present;
+            if !counts {
                 return time;
             }
             past += folds;

@@ -11,6 +11,7 @@ use crate::dispatch::out_of_line;
 use crate::load::Load;
 use crate::memory::{Edge, Late, march};
 use crate::profile::GapProfile;
+use crate::scalar::greater;
 
 /// After how many rows one is taken from the row before all of them, at radii that were not covered at the base of their
 /// block.
@@ -159,9 +160,7 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Block<'a, T, P, L> {
         let rows = &mut rows[..self.count * width];
         take_rows_from(base, runs.radii, span.clone(), &self.since_base, squares, rows);
         // Not simply the last radius, which rounding may make smaller.
-        let widest = self.radii[..self.count]
-            .iter()
-            .fold(self.base.radius, |widest, &a| if a > widest { a } else { widest });
+        let widest = self.radii[..self.count].iter().copied().fold(self.base.radius, greater);
         if !runs.are_in_order() {
             set_beyond_to_zero(runs.radii, self.base.radius, span, rows);
         }
