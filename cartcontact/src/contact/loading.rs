@@ -1,6 +1,8 @@
 //! What is known of a load at a time.
 
+use super::Contact;
 use crate::Scalar;
+use crate::load::Load;
 use crate::scalar::smallest_normal;
 
 /// A load at a time: F, ∫F and Y = F + χ ∫F.
@@ -32,5 +34,19 @@ impl<T: Scalar> Loading<T> {
         // Before anything has drained, a² P(0, t) is up to 4 Y/π.
         let is_finite = (self.hereditary + self.hereditary).is_finite() & load_integral.is_finite();
         has_force & has_impulse & (load_integral >= least) & is_finite
+    }
+}
+
+impl<T: Scalar, P, L: Load<T>> Contact<T, P, L> {
+    /// What is known of the load at a time.
+    #[inline(always)]
+    pub(crate) fn loading(&self, t: T) -> Loading<T> {
+        self.loading_of_impulse(t, self.load.impulse(t))
+    }
+
+    /// The [`loading`](Self::loading) at a time up to which ∫F is known.
+    #[inline(always)]
+    pub(crate) fn loading_of_impulse(&self, t: T, impulse: T) -> Loading<T> {
+        Loading::new(self.load.force(t), impulse, self.medium.chi())
     }
 }

@@ -19,7 +19,7 @@ use scales::Scales;
 use crate::load::Load;
 use crate::medium::Medium;
 use crate::memory::Edge;
-use crate::profile::{GapProfile, RadiusError};
+use crate::profile::GapProfile;
 use crate::snapshot::Snapshot;
 use crate::{Scalar, field};
 
@@ -272,50 +272,6 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
     /// 4/(π m): a hereditary load times this is its load integral.
     pub(crate) fn integral_per_load(&self) -> T {
         self.scales.integral_per_load
-    }
-
-    /// The contact radius under a load.
-    #[inline(always)]
-    pub(crate) fn radius_under_loading(&self, loading: Loading<T>) -> Result<T, RadiusError> {
-        self.radius_of_integral_out_of_line(self.scales.load_integral(loading))
-    }
-
-    /// The contact radius under a hereditary load Y.
-    pub(crate) fn radius_under_hereditary(&self, hereditary: T) -> Result<T, RadiusError> {
-        self.radius_of_integral_out_of_line(hereditary * self.scales.integral_per_load)
-    }
-
-    /// The contact radius of a single load integral: out of line, and given the number in a register.
-    ///
-    /// A [`Loading`] would be passed in memory, with a store-forwarding stall: its numbers are written one by one, but
-    /// two of them are then read at once, and a processor waits with that until all earlier work is done, 20 ns of one
-    /// pressure.
-    #[inline(never)]
-    fn radius_of_integral_out_of_line(&self, load_integral: T) -> Result<T, RadiusError> {
-        self.radius_of_integral(load_integral)
-    }
-
-    /// The contact radius of a load integral.
-    #[inline(always)]
-    pub(crate) fn radius_of_integral(&self, load_integral: T) -> Result<T, RadiusError> {
-        self.profile.radius_within(load_integral, self.max_radius)
-    }
-
-    /// The contact radii of many load integrals.
-    pub(crate) fn radii_of(&self, load_integrals: &[T], radii: &mut [T]) -> Result<(), RadiusError> {
-        self.profile.radii_within(load_integrals, self.max_radius, radii)
-    }
-
-    /// What is known of the load at a time.
-    #[inline(always)]
-    pub(crate) fn loading(&self, t: T) -> Loading<T> {
-        self.loading_of_impulse(t, self.load.impulse(t))
-    }
-
-    /// The [`loading`](Self::loading) at a time up to which ∫F is known.
-    #[inline(always)]
-    pub(crate) fn loading_of_impulse(&self, t: T, impulse: T) -> Loading<T> {
-        Loading::new(self.load.force(t), impulse, self.medium.chi())
     }
 }
 

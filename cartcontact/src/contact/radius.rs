@@ -7,8 +7,8 @@
 //! | `advancing_radius_at` | a time | is known to advance |
 //!
 //! All three first try `common_radius_at`, which checks that numbers are of common size, and then `checked_radius_under`,
-//! which looks for faults one by one. `radius_under_loading`, `radius_under_hereditary` and `radius_of_integral` of
-//! [`Contact`] check nothing but the range of the geometry.
+//! which looks for faults one by one. `radius_under_loading`, `radius_under_hereditary` and `radius_of_integral` check
+//! nothing but the range of the geometry.
 
 use super::common_sizes::CommonSizes;
 use super::loading::Loading;
@@ -165,6 +165,38 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
         }
         let reaches_end = radius >= self.max_radius * (T::one() - T::default_epsilon().sqrt());
         if reaches_end { inside } else { outside }
+    }
+
+    /// The contact radius under a load.
+    #[inline(always)]
+    pub(crate) fn radius_under_loading(&self, loading: Loading<T>) -> Result<T, RadiusError> {
+        self.radius_of_integral_out_of_line(self.scales.load_integral(loading))
+    }
+
+    /// The contact radius under a hereditary load Y.
+    pub(crate) fn radius_under_hereditary(&self, hereditary: T) -> Result<T, RadiusError> {
+        self.radius_of_integral_out_of_line(hereditary * self.scales.integral_per_load)
+    }
+
+    /// The contact radius of a single load integral: out of line, and given the number in a register.
+    ///
+    /// A [`Loading`] would be passed in memory, with a store-forwarding stall: its numbers are written one by one, but
+    /// two of them are then read at once, and a processor waits with that until all earlier work is done, 20 ns of one
+    /// pressure.
+    #[inline(never)]
+    fn radius_of_integral_out_of_line(&self, load_integral: T) -> Result<T, RadiusError> {
+        self.radius_of_integral(load_integral)
+    }
+
+    /// The contact radius of a load integral.
+    #[inline(always)]
+    pub(crate) fn radius_of_integral(&self, load_integral: T) -> Result<T, RadiusError> {
+        self.profile.radius_within(load_integral, self.max_radius)
+    }
+
+    /// The contact radii of many load integrals.
+    pub(crate) fn radii_of(&self, load_integrals: &[T], radii: &mut [T]) -> Result<(), RadiusError> {
+        self.profile.radii_within(load_integrals, self.max_radius, radii)
     }
 }
 
