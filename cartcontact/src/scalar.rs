@@ -171,6 +171,12 @@ pub(crate) fn derivatives<T: Scalar>(x: T) -> T {
     x - without_derivatives(x)
 }
 
+/// The value of one number with the derivatives of another.
+#[inline(always)]
+pub(crate) fn with_value<T: Scalar>(value: T, x: T) -> T {
+    if has_no_derivatives::<T>() { value } else { without_derivatives(value) + derivatives(x) }
+}
+
 /// A function of the values of numbers, each in its own format, without derivatives.
 #[inline(always)]
 pub(crate) fn of_values<T: Scalar, const N: usize>(

@@ -2,7 +2,7 @@
 
 use super::rounding::allowed_fall;
 use crate::Scalar;
-use crate::scalar::{has_no_derivatives, smallest_normal};
+use crate::scalar::{has_no_derivatives, smallest_normal, with_value};
 
 /// A part of a load that is linear in time, from one time in s with its force in N to another.
 ///
@@ -63,13 +63,13 @@ impl<T: Scalar> Piece<T> {
             if self.end.1 < self.start.1 { (self.end, self.start) } else { (self.start, self.end) };
         let (elapsed, rise) = ((t - from.0).abs(), to.1 - from.1);
         let share = elapsed / self.duration();
-        // The sum may round to a neighbour of the force that was given.
-        if share == T::one() {
-            return to.1;
-        }
         // So small a share has lost digits, but the slope has not.
         let gained = if share < smallest_normal() { rise / self.duration() * elapsed } else { rise * share };
         let force = from.1 + gained;
+        // The sum may round to a neighbour of the force that was given.
+        if share == T::one() {
+            return with_value(to.1, force);
+        }
         // Rounded to zero it would be no load, although χ ∫F may be one.
         let is_lost = force <= T::zero() && rise > T::zero() && elapsed > T::zero();
         if is_lost { force + smallest_normal::<T>() * T::default_epsilon() } else { force }

@@ -18,7 +18,7 @@ use crate::Scalar;
 use crate::evaluate::power::integer_power;
 use crate::evaluate::steepness::Steepness;
 use crate::numbers::halved::{Halved, product_with_few_digits};
-use crate::scalar::{derivatives, has_no_derivatives, highest_derivative, without_derivatives};
+use crate::scalar::{has_no_derivatives, highest_derivative, with_value, without_derivatives};
 
 /// The root of a function with its derivatives, from its value, what the function is there and 1/(x f′), of which only
 /// the value counts.
@@ -34,12 +34,6 @@ pub(super) fn with_derivatives<T: Scalar>(
         root = with_value(value, root - function(root) * share);
     }
     root
-}
-
-/// A number of which only the derivatives are kept, beside another value, which has none.
-#[inline(always)]
-fn with_value<T: Scalar>(value: T, x: T) -> T {
-    value + derivatives(x)
 }
 
 /// The radius from a seed of its `Q`-th root, where J has whole powers of that.
@@ -64,7 +58,7 @@ pub(super) fn radius_from_root<T: Scalar, const Q: u32>(
         |x| evaluate(x).surplus(target),
     );
     // Here, too, only the share counts: the power multiplies the rounding of the root by `Q` − 1.
-    let (radius, power) = (without_derivatives(radius), integer_power(root, Q));
+    let power = integer_power(root, Q);
     with_value(radius, power * without_derivatives(radius / power))
 }
 

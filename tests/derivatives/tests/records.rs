@@ -4,6 +4,7 @@ use cartcontact::load::Load;
 use cartcontact::{Contact, ContactError, GapProfile, Medium, Polynomial, Scalar, gap_profile};
 use num_dual::{Dual2_64, Dual32, Dual64};
 use tests::loads::{Announced, Knots, through};
+use tests::measure::relative_error;
 
 /// Two even powers.
 #[gap_profile(b * r^2 + 1.09375e-4 * r^4)]
@@ -134,4 +135,24 @@ fn derivatives_in_single_precision_are_those_in_double() -> Result<(), ContactEr
         }
     }
     Ok(())
+}
+
+/// By rounding, a time may be at a knot although it is after it: then, too, the force depends on it as on the piece that
+/// begins there.
+#[test]
+fn forces_next_to_a_knot_have_the_derivatives_of_the_next_piece() {
+    let after = 13.915185_f32.next_up();
+    for last in [5.0, 12.34, 13.2, 20.0] {
+        let of = |in_time: f32, in_knot: f32| {
+            let knots = [(0.0, 13.5), (13.915185, 13.1), (27.83037, last)].map(|(t, f)| (t.into(), f.into()));
+            let mut knots: [(Dual32, Dual32); 3] = knots;
+            knots[1].0.eps = in_knot;
+            through(&knots).force(Dual32::new(after, in_time)).eps
+        };
+        let slope = (last - 13.1) / (27.83037 - 13.915185);
+        for (found, expected) in [(of(1.0, 0.0), slope), (of(0.0, 1.0), -slope)] {
+            let error = relative_error(found.into(), expected.into(), f32::EPSILON.into());
+            assert!(error <= 4.0, "{last}: {found} instead of {expected}");
+        }
+    }
 }
