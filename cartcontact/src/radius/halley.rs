@@ -11,8 +11,8 @@
 //! then follow steps a ← a − a (J(a) − y)/aJ′ with aJ′ a plain number: each adds the derivatives of one more order.
 //! Nothing is divided by a number with derivatives: the square of that could leave the format. They have no error but
 //! rounding, as the radius has none; but J′ multiplies the rounding of the radius by p − 1, and up to twenty times as much
-//! where the step finds a root of it. So y is first multiplied by a plain number next to 1 that makes it J of the rounded
-//! radius, which leaves da/a = (dy/y) J/aJ′, and J/aJ′ hardly depends on the radius.
+//! where the step finds a root of it. So y is taken times a plain number next to 1 that makes it J of the rounded radius,
+//! which leaves da/a = (dy/y) J/aJ′, and J/aJ′ hardly depends on the radius.
 
 use crate::Scalar;
 use crate::evaluate::power::integer_power;
@@ -20,18 +20,17 @@ use crate::evaluate::steepness::Steepness;
 use crate::numbers::halved::{Halved, product_with_few_digits};
 use crate::scalar::{has_no_derivatives, highest_derivative, with_value, without_derivatives};
 
-/// The root of a function with its derivatives, from its value, what the function is there and 1/(x f′), of which only
+/// The place at which J reaches y, with derivatives, from its value. The function gives J − y and 1/(x J′), of which only
 /// the value counts.
 #[inline(always)]
-pub(super) fn with_derivatives<T: Scalar>(
-    value: T,
-    (at_value, inverse_slope): (T, T),
-    function: impl Fn(T) -> T,
-) -> T {
+pub(super) fn with_derivatives<T: Scalar>(value: T, y: T, function: impl Fn(T) -> (T, T)) -> T {
+    let value = without_derivatives(value);
+    let (surplus, inverse_slope) = function(value);
+    let rounding = y * without_derivatives(surplus / y);
     let share = without_derivatives(inverse_slope * value);
-    let mut root = with_value(value, -(at_value * share));
+    let mut root = with_value(value, (rounding - surplus) * share);
     for _ in 1..highest_derivative::<T>() {
-        root = with_value(value, root - function(root) * share);
+        root = with_value(value, root + (rounding - function(root).0) * share);
     }
     root
 }
@@ -48,14 +47,14 @@ pub(super) fn radius_from_root<T: Scalar, const Q: u32>(
     if has_no_derivatives::<T>() {
         return radius;
     }
-    let root = without_derivatives(steepness.root::<Q>(seed, target));
-    let at_root = evaluate(root);
-    let target = target.reached_by(at_root.load_integral());
     let root = with_derivatives(
-        root,
-        (at_root.surplus(target), at_root.inverse_slope()),
+        steepness.root::<Q>(seed, target),
+        target.value,
         #[inline(always)]
-        |x| evaluate(x).surplus(target),
+        |x| {
+            let steepness = evaluate(x);
+            (steepness.surplus(target), steepness.inverse_slope())
+        },
     );
     // Here, too, only the share counts: the power multiplies the rounding of the root by `Q` − 1.
     let power = integer_power(root, Q);
@@ -83,13 +82,6 @@ impl<T: Scalar> Target<T> {
     pub(super) fn times_denominator(load_integral: T, denominator: T) -> Self {
         let (value, rest) = product_with_few_digits(load_integral, denominator);
         Self { value, rest }
-    }
-
-    /// The target times a plain number that makes it equal to a load integral but for derivatives.
-    #[inline(always)]
-    fn reached_by(self, load_integral: T) -> Self {
-        let share = without_derivatives(load_integral / self.value);
-        Self { value: self.value * share, rest: self.rest * share }
     }
 }
 
@@ -152,12 +144,6 @@ impl<T: Scalar> Steepness<T> {
         let surplus = self.surplus(target);
         let share = surplus * target.value.recip();
         self.step_of(surplus, T::one()) * (T::one() + T::constant(1.0 / 12.0) * share * share)
-    }
-
-    /// J, rounded.
-    #[inline(always)]
-    fn load_integral(self) -> T {
-        self.power * self.value - self.excess
     }
 
     /// How much J is too large at the seed.

@@ -87,25 +87,17 @@ pub fn invert<T: Scalar>(
     if radius > limit || has_no_derivatives::<T>() {
         return Ok(lesser(radius, limit));
     }
-    let radius = derived(radius, target, evaluate);
+    // The reciprocal of a slope may leave the format, if that is not divided by a power of two near y.
+    let (_, exponent) = split(target);
+    let radius = with_derivatives(radius, scale(target, -exponent), |a| {
+        let (value, log_slope) = evaluate(a);
+        (scale(value - target, -exponent), scale(without_derivatives(log_slope), -exponent).recip())
+    });
     // J or a J′ may leave the format where y is at an end of it, and infinite derivatives make the value no number.
     if radius.value().is_nan() {
         return Err(RadiusError::Unrepresentable { load_integral: target.value() });
     }
     Ok(radius)
-}
-
-/// A radius with its derivatives, which are those of J = `target` times a plain number that makes it J of the radius.
-#[inline(always)]
-fn derived<T: Scalar>(radius: T, target: T, evaluate: impl Fn(T) -> (T, T)) -> T {
-    let radius = without_derivatives(radius);
-    let (value, log_slope) = evaluate(radius);
-    let reached = target * without_derivatives(value / target);
-    // The reciprocal of a slope may leave the format, if that is not divided by a power of two near y.
-    let (_, exponent) = split(target);
-    let surplus = |value| scale(value - reached, -exponent);
-    let inverse_slope = scale(without_derivatives(log_slope), -exponent).recip();
-    with_derivatives(radius, (surplus(value), inverse_slope), |a| surplus(evaluate(a).0))
 }
 
 /// A radius of which J is not below `target`, from `high` on; none if J falls further than it has to rise, as that of a
