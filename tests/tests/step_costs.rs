@@ -28,7 +28,8 @@ fn most_forces(load: impl Load<f64>) -> Result<usize, ContactError> {
     Ok(most)
 }
 
-/// When the edge has passed a radius depends on the load, and so do the steps in which that is found.
+/// When the edge passes a radius depends on the load: that is searched for, and steps begin there. If they were halved
+/// until they do, most of these pressures would take more forces.
 #[test]
 fn pressures_next_to_the_edge_take_few_forces() -> Result<(), ContactError> {
     for (name, most) in [

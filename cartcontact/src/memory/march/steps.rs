@@ -57,10 +57,7 @@ impl<T: Scalar> Pace<T> {
     }
 
     /// The end of a step that begins at `start`; no rest that is too short to divide may be left before `end`.
-    ///
-    /// The step becomes no longer than what is left: while it is, halving it would try the same step again.
-    fn stop(&mut self, start: T, end: T) -> T {
-        self.step = self.step.min(without_derivatives(end - start));
+    fn stop(&self, start: T, end: T) -> T {
         let rest = self.step.min(self.shortest.length());
         if start + self.step + rest < end { start + self.step } else { end }
     }
