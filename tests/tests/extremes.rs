@@ -260,3 +260,20 @@ fn any_number_that_loses_digits_is_noticed() -> Result<(), Box<dyn core::error::
     }
     Ok(())
 }
+
+/// How long ago a force of a few times the smallest number was smaller by nothing.
+#[test]
+fn a_load_after_the_smallest_forces_has_a_pressure() -> Result<(), Box<dyn core::error::Error>> {
+    let (end, force) = (3.2e10, 3.2e10);
+    let peak_after = |first: f64| -> Result<f64, Box<dyn core::error::Error>> {
+        let load = PiecewiseLinear::new([(0.0, 0.0), (end, first), (end, force)])?;
+        let gap = Polynomial::new([(1.9e-197, 0.5)])?;
+        Ok(Contact::new(gap, Medium::from_constants(4.7e-4, 4.7e-4)?, load)?.at(end)?.peak_pressure())
+    };
+    let expected = peak_after(1e-290)?;
+    for first in [5e-324, 8e-323, 1e-320] {
+        let found = peak_after(first)?;
+        assert!((found / expected - 1.0).abs() < 1e-14, "{first:e}: {found:e} instead of {expected:e}");
+    }
+    Ok(())
+}

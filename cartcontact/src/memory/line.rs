@@ -43,6 +43,12 @@ impl<T: Scalar> Line<T> {
         is_plain_zero(self.force_rate)
     }
 
+    /// How many e-foldings a held load takes per deficit.
+    #[inline(always)]
+    pub(super) fn folds_per_deficit(self) -> T {
+        self.folds / self.hereditary_rate
+    }
+
     /// Y′ at the end, as ages need it.
     #[inline(always)]
     fn rate(self) -> T {

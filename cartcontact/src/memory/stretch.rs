@@ -182,8 +182,9 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
     pub(super) fn fade(&self, weights: &mut [T], drops: &[T]) {
         // Ages that one formula gives are computed in vectors.
         match *self.course {
-            Course::Linear(line) if line.is_held() => {
-                let folds_per_deficit = line.folds / line.hereditary_rate;
+            // Next to the smallest subnormal forces the quotient overflows, and times no deficit would be no number.
+            Course::Linear(line) if line.is_held() && line.folds_per_deficit().is_finite() => {
+                let folds_per_deficit = line.folds_per_deficit();
                 self.fade_by(
                     #[inline(always)]
                     |deficit| deficit * folds_per_deficit,
