@@ -9,6 +9,7 @@
 //! duration is left before a jump when the search ends, after 32 times at the latest, and the steps go on from there.
 
 use super::March;
+use crate::contact::Loading;
 use crate::load::{Load, least_step};
 use crate::scalar::without_derivatives;
 use crate::{GapProfile, Scalar};
@@ -34,15 +35,12 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
     ///
     /// Such times carry no derivatives, as those that divide histories into steps.
     fn time_before_reach(&self, end: T) -> T {
-        let contact = self.contact;
-        let (load, chi) = (contact.load(), contact.medium().chi());
-        let hereditary = |time: T| {
-            let force = if time < end { load.force(time) } else { load.force_before(end) };
-            without_derivatives(force + chi * load.impulse(time))
-        };
+        let (contact, load) = (self.contact, self.contact.load());
+        let hereditary = |time| without_derivatives(contact.loading(time).hereditary);
+        let at_end = Loading::new(load.force_before(end), load.impulse(end), contact.medium().chi());
+        let last = without_derivatives(at_end.hereditary);
         let load_integral = contact.profile().quick_load_integral(self.transition.reach);
         let at_reach = without_derivatives(contact.load_per_integral() * load_integral);
-        let last = hereditary(end);
         // Otherwise the radius might be rounded to the reach.
         let rounding = last * T::default_epsilon() * T::constant(32.0);
         let margin = ((last - at_reach) * T::constant(MARGIN)).max(rounding);
