@@ -134,7 +134,9 @@ pub const CONTACT_RADIUS: Allowance = allow(
     "as the radius, and before the inversion the rounding of ∫F, of its share of J and of J is up to 2 ε of J, which \
      the degree, above 4, divides: up to 1 ulp",
 );
-/// δ₀(t), to be multiplied by 3/2 + a δ₀′/δ₀: by itself an approach has the errors of [`APPROACH`].
+/// What is rounded of an approach beside its radius, in units in the last place: its coefficients and the result.
+pub const ROUNDINGS_OF_APPROACH: f64 = 1.5;
+/// δ₀(t), to be multiplied by [`ROUNDINGS_OF_APPROACH`] + a δ₀′/δ₀.
 ///
 /// Where powers are low, those count most: the worst was seen of one term r^0.5.
 pub const CONTACT_APPROACH: Allowance = allow(

@@ -2,6 +2,7 @@
 
 use cartcontact::{GapProfile, Scalar};
 
+use crate::budget;
 use crate::random::{Sum, sum};
 
 /// 1 + 2a/(a − r), the factor with which an error of the radius a counts in a pressure at r; 1 outside.
@@ -23,17 +24,10 @@ pub fn degree(profile: &dyn GapProfile<f64>, a: f64) -> f64 {
     square * square * (a * profile.approach_slope(a) / 2.0) / profile.load_integral(a)
 }
 
-/// a δ₀′/δ₀, the degree of the approach.
-#[must_use]
-pub fn degree_of_approach(profile: &dyn GapProfile<f64>, a: f64) -> f64 {
-    a * profile.approach_slope(a) / profile.approach(a)
-}
-
-/// 3/2 + a δ₀′/δ₀, with which the error of an approach grows: its coefficients and the result are rounded, by 3/2 units
-/// in the last place, and the errors of the radius count with the degree.
+/// The roundings of an approach and its degree a δ₀′/δ₀, with which the errors of the radius count.
 #[must_use]
 pub fn of_approach(profile: &dyn GapProfile<f64>, a: f64) -> f64 {
-    1.5 + degree_of_approach(profile, a)
+    budget::ROUNDINGS_OF_APPROACH + a * profile.approach_slope(a) / profile.approach(a)
 }
 
 /// Σ|terms of J|/(a J′) but at least 1, the factor with which errors of the terms count in a radius; `sizes` is the

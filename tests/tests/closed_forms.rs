@@ -80,7 +80,7 @@ impl Problem {
         let close =
             |x: f64, y: f64, scale: f64, allowed: f64| (x - y).abs() <= allowed * f64::EPSILON * scale;
         let (n, of_radius) = (self.n, budget::CONTACT_RADIUS.double);
-        let of_approach = (1.5 + n) * budget::CONTACT_APPROACH.double;
+        let of_approach = (budget::ROUNDINGS_OF_APPROACH + n) * budget::CONTACT_APPROACH.double;
         // The difference in the shape is rounded, which is n on the axis, and so is r.
         let of_pressure = budget::PEAK_PRESSURE.double + (n + 2.0) * POWER + 6.0 * (n + 2.0) / n;
         for q in [0.0, 0.3, 0.8, 0.99] {

@@ -180,7 +180,7 @@ impl<T: Precision> Examination<'_, T> {
             now.approach().value(),
             here.approach.value,
             // The approach belongs to the radius found, which may be off by all that is allowed for a radius.
-            of_radius * (1.5 + degree),
+            of_radius * (budget::ROUNDINGS_OF_APPROACH + degree),
         );
         self.kernels(now);
         // Pressures remember all radii of the history, of which the flattest is the least certain.
