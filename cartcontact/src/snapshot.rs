@@ -97,7 +97,9 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
 
     /// The contact pressure P(r, t) at the distance |r| from the axis, in MPa; zero outside the contact.
     ///
-    /// If `r` is not a number, neither is the result. [`Contact::pressure_field`] checks its radii instead.
+    /// It is the normal traction between the surfaces, of fluid and solid together; in the fluid alone the pressure is
+    /// lower by a share of the order of (h/a)². If `r` is not a number, neither is the result.
+    /// [`Contact::pressure_field`] checks its radii instead.
     ///
     /// # Formula
     ///
