@@ -19,9 +19,12 @@ use crate::numbers::bits::nearest_integer;
 /// as from `jacobian`, take 0.9 to 2.2 times as many instructions as one run with a `Dual64` for each. Derivatives of
 /// radii are right to rounding up to the third, first ones within 7 ε where terms are positive.
 ///
+/// At a knot, derivatives with respect to time are those of what follows it.
+///
 /// These derivatives, of pressures unless other results are named, may be wrong or NaN:
 ///
-/// - those with respect to time at a knot, and second ones at t = 0;
+/// - third ones with respect to time at t = 0 or at a knot; and up to a millionth of an e-folding later second ones lose
+///   the digits that the growth of the radius since then has lost;
 /// - where χ = 0, under a load that is not straight between knots: second ones, and first ones with respect to χ unless
 ///   the force is constant;
 /// - first ones with respect to r next to the axis, where they vanish: they may be off by as much as ε P/a;

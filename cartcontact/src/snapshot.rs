@@ -182,14 +182,12 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
         self.contact.medium().chi() * self.edge.time
     }
 
-    /// Whether nothing has drained, and no history has to be followed. What drains at a rate of zero may have a derivative,
-    /// which depends on when the contact has reached a radius; steps along a load that is not straight need a rate.
+    /// Whether nothing has drained, and no history has to be followed. What drains by the time 0, or at a rate of zero, may
+    /// have derivatives; steps along a load that is not straight need a rate.
     #[inline(always)]
     fn is_undrained(&self) -> bool {
-        self.folds().is_zero()
-            && (has_no_derivatives::<T>()
-                || self.edge.time.is_zero()
-                || !self.contact.load().is_linear_between_knots())
+        let needs_rate = || !self.edge.time.is_zero() && !self.contact.load().is_linear_between_knots();
+        self.folds().is_zero() && (has_no_derivatives::<T>() || needs_rate())
     }
 
     /// The pressures at many radii, finite and not negative, with one memory integral for all radii that were

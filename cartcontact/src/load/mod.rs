@@ -32,7 +32,7 @@ pub use error::LoadError;
 pub(crate) use force_series::ForceSeries;
 pub use piece::Piece;
 use pieces::piece_to_knot;
-pub(crate) use pieces::{MOST_PIECES, knot_between, pieces_between};
+pub(crate) use pieces::{MOST_PIECES, knot_between, pieces_between, same_time_before};
 pub use piecewise_linear::PiecewiseLinear;
 pub(crate) use rounding::{impulse_tolerance, rounding_of_hereditary, rounding_within_load};
 pub(crate) use shortest::{Shortest, least_step};

@@ -87,10 +87,12 @@ impl<T: Scalar> Piece<T> {
         self.duration() * self.mean_force()
     }
 
-    /// The part of it between two times, of which at least one is within the piece.
+    /// The part of it between two times, of which at least one is within the piece. The time at which it starts may have
+    /// other derivatives than the same time `from`.
     #[inline]
     pub(crate) fn between(&self, from: T, until: T) -> Self {
-        let start = if from > self.start.0 { (from, self.force(from)) } else { self.start };
+        let starts_later = from > self.start.0 || !has_no_derivatives::<T>() && from == self.start.0;
+        let start = if starts_later { (from, self.force(from)) } else { self.start };
         let end = if until < self.end.0 { (until, self.force(until)) } else { self.end };
         Self { start, end }
     }

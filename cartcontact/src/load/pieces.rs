@@ -2,11 +2,27 @@
 
 use super::{Load, Piece};
 use crate::Scalar;
+use crate::scalar::{has_no_derivatives, without_derivatives};
 
 /// The first knot of a load after one time and before another; any other answer of a user-defined load is ignored.
 #[inline]
 pub(crate) fn knot_between<T: Scalar, L: Load<T> + ?Sized>(load: &L, from: T, until: T) -> Option<T> {
     load.next_knot(from).filter(|&knot| from < knot && knot < until)
+}
+
+/// The knot at a time, or the start if that is the same time; none unless numbers may have derivatives, which need not be
+/// those of the time.
+#[inline]
+pub(crate) fn same_time_before<T: Scalar, L: Load<T> + ?Sized>(load: &L, from: T, t: T) -> Option<T> {
+    if has_no_derivatives::<T>() {
+        return None;
+    }
+    if t <= from {
+        return Some(from);
+    }
+    // The number before t, if that is normal.
+    let before = without_derivatives(t) * (T::one() - T::default_epsilon() * T::constant(0.5));
+    load.next_knot(before).filter(|&knot| knot == t)
 }
 
 /// The most pieces that a load is asked for at once, and that are integrated together.

@@ -26,9 +26,9 @@ use super::fading::{Fading, faded_folds};
 use super::stretch::{Course, Stretch};
 use super::{Edge, Stage, Transition, not_negative, surplus_that_counts};
 use crate::contact::{Contact, Loading};
-use crate::load::{Load, MOST_PIECES, Piece, knot_between, least_step, pieces_between};
+use crate::load::{Load, MOST_PIECES, Piece, knot_between, least_step, pieces_between, same_time_before};
 use crate::numbers::compensated_sum::CompensatedSum;
-use crate::scalar::{has_no_derivatives, is_plain_zero};
+use crate::scalar::{has_no_derivatives, is_plain_zero, with_value};
 use crate::{GapProfile, Scalar};
 
 /// The transition to the edge at a later time, for radii up to `reach` or the first radius, the larger of the two.
@@ -59,13 +59,7 @@ where
         has_strip: reach <= from.radius,
         transition: Transition::none(reach),
     };
-    let has_knots = knot_between(contact.load(), from.time, end.time).is_some();
-    match (contact.load().is_linear_between_knots(), has_knots) {
-        _ if is_plain_zero(contact.medium().chi()) => march.advance_at_once(),
-        (true, true) => march.advance_in_pieces(),
-        (true, false) => march.advance_in_one_piece(),
-        (false, _) => march.advance_from_knot_to_knot(),
-    }
+    march.advance();
     march.add_strip();
     march.transition.offset = not_negative(march.transition.offset.value).into();
     march.transition
@@ -97,6 +91,35 @@ impl<T: Scalar, P, L> Clone for March<'_, T, P, L> {
 }
 
 impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
+    /// Continues to the end. The time of a knot there, or that of the start, need not have the derivatives of the time
+    /// asked for: what lies between the two takes no time, but may have derivatives.
+    fn advance(&mut self) {
+        let (contact, end) = (self.contact, (self.end.time, self.force_at_end));
+        let Some(time) = same_time_before(contact.load(), self.now.time, end.0) else {
+            return self.advance_along_load();
+        };
+        let edge = self.end;
+        let loading = contact.loading(time);
+        let radius = contact.radius_under_loading(loading).unwrap_or(edge.radius);
+        self.end = Edge { time, radius: with_value(edge.radius, radius) };
+        self.force_at_end = loading.force;
+        self.advance_along_load();
+        (self.end, self.force_at_end) = (edge, end.1);
+        self.advance_straight(Piece { start: (time, loading.force), end });
+    }
+
+    /// Continues to the end along the load.
+    #[inline(always)]
+    fn advance_along_load(&mut self) {
+        let has_knots = knot_between(self.contact.load(), self.now.time, self.end.time).is_some();
+        match (self.contact.load().is_linear_between_knots(), has_knots) {
+            _ if is_plain_zero(self.contact.medium().chi()) => self.advance_at_once(),
+            (true, true) => self.advance_in_pieces(),
+            (true, false) => self.advance_in_one_piece(),
+            (false, _) => self.advance_from_knot_to_knot(),
+        }
+    }
+
     /// Continues to the end where nothing drains: then it does not count when the load has risen.
     fn advance_at_once(&mut self) {
         let before = self.force_now();
