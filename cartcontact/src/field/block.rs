@@ -9,9 +9,9 @@ use crate::Scalar;
 use crate::contact::{Contact, ContactError};
 use crate::dispatch::out_of_line;
 use crate::load::Load;
-use crate::memory::{Edge, Late, march};
+use crate::memory::{Edge, Late, Stage, march};
 use crate::profile::GapProfile;
-use crate::scalar::greater;
+use crate::scalar::{greater, has_no_derivatives};
 
 /// After how many rows one is taken from the row before all of them, at radii that were not covered at the base of their
 /// block.
@@ -119,7 +119,7 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Block<'a, T, P, L> {
                 break;
             }
             let radius = contact.advancing_radius_at(time)?;
-            let start = contact.stage(before);
+            let start = self.stage(before);
             let transition = march(contact, start, Edge { time, radius }, before.radius);
             let change = Change::of(transition, chi * (time - before.time));
             let is_slow = change.is_slow();
@@ -192,7 +192,7 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Block<'a, T, P, L> {
         } else {
             // Sections take several KiB of the stack.
             out_of_line(move || {
-                let start = self.contact.stage(base);
+                let start = self.stage(base);
                 let mut sections = Late::between(self.contact, start, now, count);
                 late.for_each(|(value, &r)| *value = sections.pressure(r));
             });
@@ -253,10 +253,14 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Block<'a, T, P, L> {
         let (before, now) = (self.edge_before(index), self.edge_before(index + 1));
         match &self.panel {
             Some(panel) => panel.first_pressure(before, now, r),
-            None => {
-                let start = self.contact.stage(before);
-                march(self.contact, start, now, r).apply(T::zero(), r)
-            }
+            None => march(self.contact, self.stage(before), now, r).apply(T::zero(), r),
         }
+    }
+
+    /// The stage at a row that others follow from. Where no load has been applied yet the beginning serves as well, and
+    /// it has no derivatives: with those of the row's time the first forces would have some, and radii infinite ones.
+    fn stage(&self, row: Edge<T>) -> Stage<T> {
+        let is_unloaded = !has_no_derivatives::<T>() && row.radius.is_zero();
+        self.contact.stage(if is_unloaded { Edge { time: T::zero(), radius: T::zero() } } else { row })
     }
 }
