@@ -23,8 +23,9 @@ use crate::numbers::bits::nearest_integer;
 ///
 /// These derivatives, of pressures unless other results are named, may be wrong or NaN:
 ///
-/// - third ones with respect to time at t = 0 or at a knot; and up to a millionth of an e-folding later second ones lose
-///   the digits that the growth of the radius since then has lost;
+/// - third ones with respect to time at t = 0 or at a knot;
+/// - second ones with respect to time less than a millionth of an e-folding after either, or in rows of a field so close
+///   to each other: the less the radius has grown, the fewer digits are right;
 /// - where χ = 0, under a load that is not straight between knots: second ones, and first ones with respect to χ unless
 ///   the force is constant;
 /// - first ones with respect to r next to the axis, where they vanish: they may be off by as much as ε P/a;
