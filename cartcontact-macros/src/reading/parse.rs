@@ -86,6 +86,7 @@ impl<'a> Parser<'a> {
 
     fn power(&mut self) -> Expression {
         let base = self.atom();
+        self.reads_point();
         if self.take_punct('^').is_none() && !self.reads_double_star() {
             return base;
         }

@@ -24,6 +24,18 @@ impl Parser<'_> {
         true
     }
 
+    /// Skips the point of `.*`, `./` and `.^`, which MATLAB uses for arrays.
+    pub(super) fn reads_point(&mut self) {
+        let [TokenTree::Punct(point), TokenTree::Punct(operator), ..] = self.rest else { return };
+        let is_one = point.as_char() == '.' && point.spacing() == Spacing::Joint;
+        if is_one && "*/^".contains(operator.as_char()) {
+            let place = Extent::between(point.span().into(), operator.span().into());
+            let message = format!("an operator is written without a point; write `{operator}`");
+            self.diagnostics.report(place, message);
+            self.take_token();
+        }
+    }
+
     /// Whether a second number follows the first, without an operator; `1/mm` is a unit.
     pub(super) fn is_number_next(&self) -> bool {
         let is_number = |token: &TokenTree| number(&token.to_string()).is_ok();
