@@ -234,6 +234,14 @@ pub(super) fn entries(tokens: TokenStream, diagnostics: &mut Diagnostics) -> Vec
     let mut current = Entry { tokens: Vec::new(), place: Span::call_site() };
     let mut tokens = tokens.into_iter().peekable();
     while let Some(token) = tokens.next() {
+        if let Some(comment) = documentation(&token, tokens.peek()) {
+            diagnostics.report(
+                comment,
+                "a comment between the parts of a gap documents nothing; write it after `//`",
+            );
+            tokens.next();
+            continue;
+        }
         let is_meant_as_comma =
             is_punct(&token, ';') && (current.is_option() || is_name_of_option(tokens.peek()));
         if is_meant_as_comma {
@@ -251,6 +259,14 @@ pub(super) fn entries(tokens: TokenStream, diagnostics: &mut Diagnostics) -> Vec
     entries.push(current);
     entries.retain(|entry| !entry.tokens.is_empty());
     entries
+}
+
+/// The place of a comment after `///`, which arrives as `#[doc = "..."]`.
+fn documentation(hash: &TokenTree, next: Option<&TokenTree>) -> Option<Extent> {
+    let Some(TokenTree::Group(brackets)) = next.filter(|_| is_punct(hash, '#')) else { return None };
+    let is_doc =
+        matches!(brackets.stream().into_iter().next(), Some(TokenTree::Ident(name)) if name == "doc");
+    is_doc.then(|| Extent::between(hash.span().into(), brackets.span().into()))
 }
 
 fn is_name_of_option(token: Option<&TokenTree>) -> bool {

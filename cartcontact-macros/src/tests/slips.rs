@@ -92,6 +92,8 @@ fn likely_slips_are_understood() {
         ("0.025 mm**-1 * r^2", "remove `mm**-1`"),
         ("0.025 mm^(-1) * r^2", "numbers have no units"),
         ("10**-4 * r^2", "not `**`"),
+        ("0.025 * r^2 /// a ball\n + r^4, max_radius = 3", "write it after `//`"),
+        ("/** a ball */ 0.025 * r^2", "write it after `//`"),
         ("0.025*r.^2", "without a point; write `^`"),
         ("(0.025) .* r^2", "without a point; write `*`"),
         ("r^2*radius./40", "without a point; write `/`"),
