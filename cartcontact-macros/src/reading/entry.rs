@@ -88,6 +88,30 @@ impl Entry {
         self.assignment().is_some() && is_name_of_option(self.tokens.first())
     }
 
+    /// Whether its first name is that of an option, but not of a body.
+    fn is_meant_as_option(&self) -> bool {
+        is_name_of_option(self.tokens.first()) && !self.is_body()
+    }
+
+    /// An option and the gap that follows it without a comma, which is reported: `max_radius = 6 r^2`, `positive r^2`.
+    fn apart_from_gap(mut self, diagnostics: &mut Diagnostics) -> Vec<Entry> {
+        let follows = |index: &usize| match &self.tokens[index - 1..] {
+            [TokenTree::Punct(_), ..] | [_, TokenTree::Punct(_), ..] => false,
+            // It may be a call.
+            [TokenTree::Ident(_), TokenTree::Group(_), ..] => false,
+            [TokenTree::Ident(name), ..] if *index == 1 && name != "positive" => false,
+            _ => true,
+        };
+        let last_of_r = self.tokens.iter().rposition(|token| is_of_r(core::slice::from_ref(token)));
+        let Some(start) = last_of_r.and_then(|last| (1..=last).find(follows)) else { return vec![self] };
+        let gap = self.tokens.split_off(start);
+        let place = self.tokens.last().map_or(self.place, TokenTree::span);
+        let between = Extent::between(place.into(), Extent::of(&gap[..1], place));
+        diagnostics
+            .report(between, "a comma is missing here; all parts of the attribute are separated by commas");
+        vec![self, Entry { tokens: gap, place }]
+    }
+
     /// What to say about an option that is not written as one: `max_radius: 6`, `max_radius < 6`, `order 4`,
     /// `positive(c)`, `max-radius = 6`. None of these has a meaning in an expression.
     pub(super) fn without_equals(&self) -> Option<String> {
@@ -258,6 +282,10 @@ pub(super) fn entries(tokens: TokenStream, diagnostics: &mut Diagnostics) -> Vec
     }
     entries.push(current);
     entries.retain(|entry| !entry.tokens.is_empty());
+    // Beside a gap or a body, `max_radius = 6 r` is rather a product.
+    if entries.iter().all(Entry::is_meant_as_option) {
+        entries = entries.into_iter().flat_map(|entry| entry.apart_from_gap(diagnostics)).collect();
+    }
     entries
 }
 
