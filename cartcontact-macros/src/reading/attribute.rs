@@ -9,9 +9,7 @@ use quote::quote;
 use crate::diagnostics::{Diagnostics, Extent};
 use crate::reading::bodies;
 use crate::reading::comparison;
-use crate::reading::entry::{
-    Assignment, Entry, LastDigits, all_options, entries, is_of_r, likely_option, mentions,
-};
+use crate::reading::entry::{Assignment, Entry, LastDigits, all_options, entries, likely_option, mentions};
 use crate::reading::literal;
 use crate::reading::name::last_of_path;
 use crate::reading::parse;
@@ -111,7 +109,7 @@ impl Attribute {
         {
             self.mark_gap_faulty(entry);
             diagnostics.report(entry.extent(), message);
-        } else if self.gap.is_none() && likely_option(name).is_none() && (is_of_r(value) || name == "gap") {
+        } else if self.gap.is_none() && likely_option(name).is_none() && option.is_named_gap() {
             self.name_gap(name, entry, diagnostics);
         } else {
             self.mark_option_faulty(entry);

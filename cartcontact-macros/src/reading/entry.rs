@@ -6,6 +6,7 @@ use crate::diagnostics::{Diagnostics, Extent};
 use crate::reading::positive::Positive;
 use crate::reading::similar::closest;
 use crate::reading::syntax::Expression;
+use crate::reading::unknown::DISTANCES;
 use crate::reading::{is_punct, is_sign, literal, parse};
 
 const OPTIONS: [&str; 7] = ["upper", "lower", "max_radius", "order", "tolerance", "positive", "crate"];
@@ -51,6 +52,14 @@ impl Assignment<'_> {
     /// Where the value stands, or should stand.
     pub(super) fn place(&self) -> Span {
         self.equals.unwrap_or(self.name.span())
+    }
+
+    /// Whether the value of something that is no option is the gap, perhaps with another name for r, as in `y = x^2/40`.
+    pub(super) fn is_named_gap(&self) -> bool {
+        let has_power = self.value.iter().any(|token| is_punct(token, '^'));
+        self.name == "gap"
+            || is_of_r(self.value)
+            || has_power && mentions(&DISTANCES, self.value.iter().cloned())
     }
 
     /// What to say about an option that is given again, after this `positive` if that is the one.

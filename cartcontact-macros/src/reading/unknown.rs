@@ -52,7 +52,7 @@ impl Item {
         };
         match context {
             Context::Number => "write a number".to_owned(),
-            Context::Gap { names_r: false } if is_distance(&written) => {
+            Context::Gap { names_r: false } if DISTANCES.contains(&&*written) => {
                 "the distance from the axis is called `r`".to_owned()
             }
             _ if name == "sphere" => "a surface has a radius, as in `sphere(20)`".to_owned(),
@@ -83,10 +83,8 @@ fn product(name: &str, known: &[String]) -> Option<String> {
     Some(format!("{first} * {second}"))
 }
 
-/// Whether the distance from the axis is often called like this.
-fn is_distance(name: &str) -> bool {
-    ["x", "rho", "ρ"].contains(&name)
-}
+/// What the distance from the axis is often called.
+pub(super) const DISTANCES: [&str; 3] = ["x", "rho", "ρ"];
 
 /// Whether constants are named like this, and fields are not.
 fn is_like_constant(name: &str) -> bool {

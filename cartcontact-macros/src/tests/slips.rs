@@ -65,6 +65,7 @@ fn likely_slips_are_understood() {
         ("upper = r^2, lower = 0, r^4", "remove `upper` or the expression"),
         ("radius * r^2, 5 * radius", "of two bodies"),
         ("phi = r^2", "remove `phi =`"),
+        ("y = x^2/40", "remove `y =`"),
         ("sphere = 20, order = 4", "write it as in `sphere(20)`"),
         ("sphere: radius, order = 4", "write it as in `sphere(20)`"),
         ("order = 4, conic = (20, -0.5)", "write it as in `conic(20, -0.5)`"),
