@@ -379,7 +379,7 @@ mod tests {
             ("upper = r^2", "`lower = 0`"),
             ("lower = r^2", "`upper = 0`"),
             ("upper = r^2, upper = r^2, lower = 0", "given twice"),
-            ("r^2, upper = r^2, lower = r^2", "remove `upper` or the expression"),
+            ("r^2, upper = r^2, lower = r^2", "remove `upper` and `lower` or the expression"),
             ("lower = r^2, r^4", "remove `lower` or the expression"),
         ] {
             assert!(messages(text).iter().any(|message| message.contains(rule)), "{text}");

@@ -71,8 +71,10 @@ pub(super) fn whole(
             let read = bodies.into_iter().map(|(_, expression)| expression);
             Some(Expression { kind: Kind::Sum(read.chain([gap]).map(summand).collect()), extent })
         }
-        (Some(gap), [(name, _), ..]) => {
-            let message = format!("a gap is one expression or two bodies; remove `{name}` or the expression");
+        (Some(gap), _) => {
+            let names: Vec<String> = bodies.iter().map(|(name, _)| format!("`{name}`")).collect();
+            let names = names.join(" and ");
+            let message = format!("a gap is one expression or two bodies; remove {names} or the expression");
             diagnostics.report(gap.extent, message);
             None
         }
