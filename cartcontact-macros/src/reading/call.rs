@@ -68,6 +68,9 @@ pub(super) fn arguments(tokens: &[TokenTree]) -> Vec<&[TokenTree]> {
     arguments
 }
 
+/// Functions that a sum of powers can stand for.
+const SERIES: [&str; 9] = ["exp", "sin", "cos", "tan", "sinh", "cosh", "tanh", "ln", "log"];
+
 fn not_a_surface(name: &str) -> String {
     if let Some(meant) = other_shape(name) {
         return format!("`{name}` is not among the surfaces; {meant}");
@@ -75,6 +78,11 @@ fn not_a_surface(name: &str) -> String {
     if name.eq_ignore_ascii_case("sqrt") {
         return format!(
             "a gap has no functions such as `{name}`; write `sphere(R)` for R - sqrt(R^2 - r^2), and `r^0.5` for a root"
+        );
+    }
+    if SERIES.contains(&name) {
+        return format!(
+            "a gap has no functions such as `{name}`; write the first terms of its series, a sum of powers of r"
         );
     }
     match closest(name, vec!["sphere".to_owned(), "conic".to_owned()]) {

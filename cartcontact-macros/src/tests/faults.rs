@@ -78,7 +78,8 @@ fn each_fault_is_named() {
         ("r.powi(2)", "no methods"),
         ("self.radius*r", "write `radius`"),
         ("k.x*r", "write `x`, or `k` if that is the field"),
-        ("sin(r)", "without functions"),
+        ("sin(r)", "no functions"),
+        ("gamma(r)", "without functions"),
         ("2 r", "an operator is missing"),
         ("(r)(r)", "an operator is missing"),
         ("q^2", "`q` is unknown; only `r` is known here; a field declares a symbol"),
@@ -225,7 +226,7 @@ fn faults_of_all_terms_are_reported_together() {
         ("r^2 - r^4 + 1", &["remove `+ 1`", "add `max_radius"]),
         ("r^2 - r^4, maximum = 0.5", &["not an option"]),
         ("2x * raduis * r^2", &["one literal", "did you mean `radius`?"]),
-        ("sin(r) * raduis * r^2", &["without functions", "did you mean `radius`?"]),
+        ("sin(r) * raduis * r^2", &["no functions", "did you mean `radius`?"]),
         (
             "raduis^3 / f64::powi(r, 2).abs() / depth",
             &["`^`", "did you mean `radius`?", "`depth` is unknown"],

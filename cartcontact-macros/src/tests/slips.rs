@@ -146,7 +146,7 @@ fn likely_slips_are_understood() {
         ("r^2, max_radius = 6 000", "write `6000`"),
         ("0.025 * square(r)", "write `r^2`"),
         ("0.025 * cbrt(r)", "write `r^(1/3)`"),
-        ("f64::sin(r)", "functions such as `sin`"),
+        ("f64::sin(r)", "functions such as `sin`; write the first terms of its series"),
         ("20 - sqrt(400 - r^2)", "write `sphere(R)`"),
         ("0.025 * x^2", "is called `r`"),
         ("0.025 * ρ^2", "is called `r`"),
