@@ -200,7 +200,7 @@ fn powers_of_fields_are_not_rounded() {
     );
 }
 
-/// R^−15 is infinite, but not 429/65536 of it, the coefficient of r^16.
+/// R^−15 is infinite, but not 429/32768 of it, the coefficient of r^16.
 #[test]
 fn powers_of_an_inverse_may_leave_the_format() {
     let [mut errors, mut errors_of_single] =

@@ -21,7 +21,7 @@ use crate::first_zero::integer_polynomial::IntegerPolynomial;
 use crate::number::common_factor::common_factor;
 
 /// Primes are taken upward from here. They stay far below 2^32, so that a product of two residues fits into a `u64`,
-/// and below 3 215 031 751, so that [`is_prime`] is exact. There are 4 · 10^7 of them up to that number, enough for
+/// and below 3 215 031 751, so that [`is_prime`] is exact. There are 5 · 10^7 of them up to that number, enough for
 /// 10^9 bits.
 const FIRST_PRIME_ABOVE: u64 = 1 << 31;
 

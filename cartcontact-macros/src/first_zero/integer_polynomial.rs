@@ -193,7 +193,7 @@ mod tests {
         assert!(polynomial(&[-1000, 0, 1]).root_bound() >= 5);
         assert!(polynomial(&[1000, -1]).root_bound() >= 10);
         assert!((1 << polynomial(&[-7, 3, -40, 1]).root_bound()) > 39);
-        // Sums of terms that are all as large as the bound allows: roots of 3.1 and 10.97.
+        // Sums of terms that are all as large as the bound allows: roots of 3.1 and 10.9.
         assert!(polynomial(&[-15, -7, -3, -1, 1]).root_bound() >= 2);
         assert!(polynomial(&[-127, -31, -7, 1]).root_bound() >= 4);
     }

@@ -61,7 +61,7 @@ const SIXTEENTHS: Parts = Parts { digits: 4, terms: 8 };
 /// As many octaves have room for sixteenths.
 const OCTAVES_OF_SIXTEENTHS: i32 = OCTAVES >> (SIXTEENTHS.digits - QUARTERS.digits);
 
-/// The lowest power with a window, times 4; slopes of the gap in it then differ by a factor of 2⁷ or more.
+/// The lowest power with a window, times 4; slopes of the gap in it then differ by a factor of 2⁸ or more.
 const LOWEST_POWER_IN_QUARTERS: i64 = 23;
 
 /// The highest power with a window: it holds four octaves of radii.
