@@ -1,6 +1,6 @@
 //! Faults, collected so that one compilation reports all of them.
 //!
-//! Style of a message: lowercase, the rule first, the remedy after `;`, in the words of the field.
+//! Style of a message: lowercase, the rule first, the remedy after `;`, in the words of contact mechanics.
 
 use proc_macro2::{Delimiter, Group, Literal, Span, TokenStream, TokenTree};
 use quote::{ToTokens, quote, quote_spanned};

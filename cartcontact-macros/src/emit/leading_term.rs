@@ -1,4 +1,4 @@
-//! The contact radius from the leading term of J, for coefficients that are symbols and that no table covers.
+//! The contact radius from the leading term of J, where no table leads to it.
 
 use num_traits::One;
 use proc_macro2::{Ident, Literal, TokenStream};

@@ -118,7 +118,7 @@ impl Rational {
         if self.is_negative() { -value } else { value }
     }
 
-    /// `number/denominator` in lowest terms, whose only common factors divide `factor`.
+    /// `numerator/denominator` in lowest terms, if all common factors of the two divide `factor`.
     fn reduced(numerator: BigInt, denominator: BigInt, factor: &BigInt) -> Self {
         let common = common_factor(&numerator, factor);
         Rational { numerator: quotient(numerator, &common), denominator: quotient(denominator, &common) }

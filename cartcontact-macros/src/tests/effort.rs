@@ -12,7 +12,7 @@ use crate::expand;
 /// Far above the measured times, so that only another order of growth fails.
 const LIMIT: Duration = if cfg!(debug_assertions) { Duration::from_secs(20) } else { Duration::from_secs(2) };
 
-/// The powers of r with these exponents; every other pair of them has the sign `sign`.
+/// The powers of r with these exponents; those with an exponent of 0 or 1 modulo 4 have the sign `sign`.
 fn sum(exponents: impl Iterator<Item = u32>, sign: char) -> String {
     let terms = exponents.map(|n| format!("{} 1.234567e-{n} * r^{n}", if n % 4 > 1 { '+' } else { sign }));
     terms.collect::<Vec<String>>().join(" ")

@@ -89,7 +89,7 @@ impl Exponent {
 }
 
 /// `count` significant digits in the notation of the files in `reference/`: trailing zeros are written, and numbers
-/// below 1e-7 and from 1e25 on have an exponent.
+/// below 1e-7, or without a digit after the point, have an exponent.
 #[must_use]
 pub fn digits(x: &Real, count: usize) -> String {
     if x.repr().is_pos_zero() || x.repr().is_neg_zero() {

@@ -11,7 +11,7 @@ struct Even<T> {
     third: T,
 }
 
-/// Odd powers.
+/// Even and odd powers.
 #[gap_profile(first * r + second * r^2 + third * r^5)]
 #[derive(Clone, Copy, Debug)]
 struct Whole<T> {
