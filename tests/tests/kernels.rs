@@ -114,7 +114,7 @@ fn approach_and_load_integral_are_those_of_each_alone() {
         inner: T,
         outer: T,
     }
-    fn agree<T: cartcontact::Scalar>(profile: &impl GapProfile<T>) {
+    fn agree<T: Scalar>(profile: &impl GapProfile<T>) {
         for exponent in -40..40 {
             let a = T::constant(1.37_f64.powi(exponent));
             let alone = (profile.approach(a), profile.load_integral(a));

@@ -33,8 +33,7 @@ proptest! {
         (inner, outer) in (0.0..1.0, 0.0..1.0),
     ) {
         let (name, load) = histories(CHI).swap_remove(history);
-        let now = contact(cases()[index], load, 5.0, time / CHI);
-        let contact = now.map_err(failure)?;
+        let contact = contact(cases()[index], load, 5.0, time / CHI).map_err(failure)?;
         let now = contact.at(time / CHI).map_err(failure)?;
         let (inner, outer) = (f64::min(inner, outer) * now.radius(), f64::max(inner, outer) * now.radius());
         let (high, low) = (now.pressure(inner), now.pressure(outer));

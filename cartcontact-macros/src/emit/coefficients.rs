@@ -6,8 +6,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, quote};
 
 use super::operations::Operations;
-use super::power_sum::exponent;
-use super::{Names, bounded_generics, local};
+use super::{Names, bounded_generics, local, power_sum};
 use crate::closed_forms::{PowerSum, Prefactor, Summand};
 use crate::gap::coefficient::{Coefficient, Sign};
 use crate::gap::{Gap, Term};
@@ -90,8 +89,8 @@ impl<'a> Coefficients<'a> {
     }
 
     /// A power whose exponent is not an integer.
-    pub(super) fn power(&self, base: &TokenStream, exponent_of_base: &Rational) -> TokenStream {
-        let exponent = exponent(exponent_of_base, self.names);
+    pub(super) fn power(&self, base: &TokenStream, exponent: &Rational) -> TokenStream {
+        let exponent = power_sum::exponent(exponent, self.names);
         match self.digits {
             Digits::OfAWord => {
                 let power = self.names.generated("real_power");

@@ -29,11 +29,11 @@ pub(super) fn methods(forms: &ClosedForms, coefficients: &Coefficients<'_>) -> [
     let (scalar, [a, r]) = (&names.scalar, ["a", "r"].map(local));
     let (kernel, precise) = precise_kernel(forms, coefficients);
     let quick_kernel = quick_kernel(forms, coefficients);
-    let method = |method, kernel, inline| {
-        let method = Ident::new(method, Span::call_site());
+    let method = |name, kernel, inline| {
+        let name = Ident::new(name, Span::call_site());
         quote! {
             #inline
-            fn #method(&self, #a: #scalar, #r: #scalar) -> #scalar { #kernel }
+            fn #name(&self, #a: #scalar, #r: #scalar) -> #scalar { #kernel }
         }
     };
     let (preamble, quick_preamble) = (precise.preamble(), coefficients.preamble());

@@ -116,9 +116,8 @@ impl<'a> Evaluator<'a> {
                 if !self.mistyped.contains(name) {
                     self.mistyped.push(name.clone());
                     let message = format!(
-                        "the field `{name}` must be a real number to stand in a gap; \
-                         give it the type `f64`, `f32` or a type parameter, by that name, as a macro does not \
-                         see what another stands for"
+                        "the field `{name}` must be a real number to stand in a gap; give it the type `f64`, `f32` or \
+                         a type parameter, by that name, as a macro does not see what another stands for"
                     );
                     self.diagnostics.report(place, message);
                 }
