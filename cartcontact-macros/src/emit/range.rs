@@ -39,9 +39,8 @@ pub(super) fn methods(coefficients: &Coefficients<'_>) -> TokenStream {
 /// Whether single precision certainly holds a coefficient with all its digits, and its multiples in the kernels.
 fn fits_every_format(term: &Term) -> bool {
     let size = term.coefficient.as_constant().map(|value| value.abs().to_f64() as f32);
-    // The multiples range from C n/(2 (n+2)²), with n up to 1024, to 2 C. For n below 1 the first has no lower bound:
-    // `check` tells.
-    size.is_some_and(|size| (1e-30..1e38).contains(&size)) && term.exponent >= integer(1)
+    // For n from 1/1024 to 1024 the multiples range from 4e-7 C, as C/(2 (n+2)²) is for the highest n, to 2 C.
+    size.is_some_and(|size| (1e-30..1e38).contains(&size))
 }
 
 /// `check` for constants that not every format holds.
