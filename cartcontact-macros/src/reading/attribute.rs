@@ -3,19 +3,18 @@
 //! A gap is one expression or two bodies, `upper = ...` and `lower = ...`: each the height by which a surface falls
 //! away from the common tangent plane toward its own bone, so that the gap is their sum.
 
-use proc_macro2::{Ident, Literal, Span, TokenStream, TokenTree};
-use quote::quote;
+use proc_macro2::{Ident, TokenStream, TokenTree};
 
 use crate::diagnostics::{Diagnostics, Extent};
 use crate::reading::bodies;
 use crate::reading::comparison;
+use crate::reading::crate_path;
 use crate::reading::entry::{Assignment, Entry, LastDigits, all_options, entries, likely_option, mentions};
+use crate::reading::is_punct;
 use crate::reading::literal;
-use crate::reading::name::last_of_path;
 use crate::reading::parse;
 use crate::reading::positive::Positive;
 use crate::reading::syntax::{Expression, Kind};
-use crate::reading::{is_punct, ungrouped};
 
 #[derive(Default)]
 pub(crate) struct Attribute {
@@ -103,7 +102,7 @@ impl Attribute {
             let names = equals.is_some().then(|| value.iter().cloned().collect());
             self.positive = Some(Positive { place: name.span(), names });
         } else if name == "crate" {
-            self.set_crate(&ungrouped(value.iter().cloned().collect()), option.place(), diagnostics);
+            self.crate_path = crate_path::read(value, option.place(), diagnostics);
         } else if self.gap.is_none()
             && let Some(message) = surface_without_parentheses(&name.to_string())
         {
@@ -141,23 +140,6 @@ impl Attribute {
     fn name_gap(&mut self, name: &Ident, entry: &Entry, diagnostics: &mut Diagnostics) {
         self.mark_gap_faulty(entry);
         diagnostics.report(name.span(), written_first(&format!("{name} =")));
-    }
-
-    fn set_crate(&mut self, value: &[TokenTree], equals: Span, diagnostics: &mut Diagnostics) {
-        if last_of_path(value).is_some() {
-            self.crate_path = Some(quote!(#(#value)*));
-            return;
-        }
-        let quoted = match value {
-            [TokenTree::Literal(literal)] => path_in_quotes(literal),
-            _ => None,
-        };
-        let (written, path) = quoted.unzip();
-        let path_or_example = written.unwrap_or_else(|| "::cartcontact".to_owned());
-        let message = format!("`crate` takes a path without quotes; write `crate = {path_or_example}`");
-        diagnostics.report(Extent::of(value, equals), message);
-        // With the path that is meant, nothing else is wrong.
-        self.crate_path = path;
     }
 
     /// What to say about an entry that is not an option, unless it is the gap. What can no longer be read is marked.
@@ -296,19 +278,6 @@ impl Attribute {
     }
 }
 
-/// The path that a string consists of, as written and as tokens.
-fn path_in_quotes(literal: &Literal) -> Option<(String, TokenStream)> {
-    let text = literal.to_string();
-    let text = literal::quoted(&text)?;
-    // The compiler would report text that does not even consist of tokens.
-    let is_of_names = text.chars().all(|letter| letter.is_alphanumeric() || "_:".contains(letter));
-    let tokens: TokenStream = is_of_names.then(|| text.parse().ok())??;
-    let mut tokens: Vec<TokenTree> = tokens.into_iter().collect();
-    last_of_path(&tokens)?;
-    tokens.iter_mut().for_each(|token| token.set_span(literal.span()));
-    Some((text.to_owned(), quote!(#(#tokens)*)))
-}
-
 /// What to say about `sphere = 20` and `conic: 20`, which are meant as the gap.
 fn surface_without_parentheses(name: &str) -> Option<String> {
     let example = match name {
@@ -342,22 +311,6 @@ mod tests {
         assert!(diagnostics.is_empty());
         assert!(attribute.gap.is_some() && attribute.max_radius.is_some());
         assert_eq!(attribute.crate_path.unwrap().to_string(), "some :: path");
-    }
-
-    #[test]
-    fn a_path_in_quotes_is_the_one_that_is_meant() {
-        for (text, path, remedy) in [
-            ("r^2, crate = \"foo\"", Some("foo"), "write `crate = foo`"),
-            ("r^2, crate = r#\"a::b\"#", Some("a :: b"), "write `crate = a::b`"),
-            ("r^2, crate = \"(\"", None, "write `crate = ::cartcontact`"),
-            ("r^2, crate = \"2\"", None, "write `crate = ::cartcontact`"),
-            ("r^2, crate = 2", None, "write `crate = ::cartcontact`"),
-        ] {
-            let mut diagnostics = Diagnostics::default();
-            let attribute = parse(text.parse().unwrap(), &mut diagnostics);
-            assert_eq!(attribute.crate_path.map(|path| path.to_string()).as_deref(), path);
-            assert!(diagnostics.messages()[0].ends_with(remedy), "{text}");
-        }
     }
 
     #[test]

@@ -2,7 +2,7 @@
 //!
 //! | what | modules |
 //! |---|---|
-//! | the attribute | `attribute`, `entry` by entry: options, `bodies`, `positive` |
+//! | the attribute | `attribute`, `entry` by entry: options, `bodies`, `positive`, `crate_path` |
 //! | an expression | `parse` by the grammar in `syntax`; `literal`, `call` |
 //! | the annotated struct | `item`: `declaration`, `field`, `generics`, `name` |
 //! | what was meant by what is wrong | `slips`, `divisor`, `comparison`, `similar`, `unit`, `unknown`, `wrong_arguments` |
@@ -11,6 +11,7 @@ pub(crate) mod attribute;
 mod bodies;
 mod call;
 mod comparison;
+mod crate_path;
 mod declaration;
 mod divisor;
 mod entry;
