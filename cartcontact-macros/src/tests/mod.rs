@@ -14,6 +14,7 @@ mod random;
 mod single_terms;
 mod slips;
 mod starts;
+mod surface_faults;
 mod surfaces;
 
 use proc_macro2::TokenStream;
