@@ -189,18 +189,6 @@ fn without_drainage_no_impulse_counts() {
     }
 }
 
-/// A force that steps up at times that no method reports.
-struct Staircase {
-    /// The time, the force from there on and the impulse up to there.
-    steps: Vec<(f64, f64, f64)>,
-}
-
-impl Staircase {
-    fn step(&self, t: f64) -> (f64, f64, f64) {
-        self.steps[self.steps.partition_point(|step| step.0 <= t).saturating_sub(1)]
-    }
-}
-
 /// Parameters of random loads: a mean force, the rate of the medium, a time, and a place and a width within it.
 #[derive(Clone, Copy)]
 struct About {
@@ -262,6 +250,18 @@ fn decay(About { mean, chi, .. }: About, stream: &mut Stream) -> Told {
     let rate = chi * (1.0 - stream.magnitude(-9.0, 0.0));
     let impulse = move |t: f64| if rate > 0.0 { -mean * (-rate * t).exp_m1() / rate } else { mean * t };
     told(move |t| mean * (-rate * t).exp(), impulse)
+}
+
+/// A force that steps up at times that no method reports.
+struct Staircase {
+    /// The time, the force from there on and the impulse up to there.
+    steps: Vec<(f64, f64, f64)>,
+}
+
+impl Staircase {
+    fn step(&self, t: f64) -> (f64, f64, f64) {
+        self.steps[self.steps.partition_point(|step| step.0 <= t).saturating_sub(1)]
+    }
 }
 
 fn staircase(About { mean, t, .. }: About, stream: &mut Stream) -> Told {
