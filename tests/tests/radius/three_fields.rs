@@ -101,7 +101,7 @@ fn radii_are_exact_for_coefficients_of_any_size() {
     for (index, kind) in (0..).zip(KINDS) {
         let mut stream = Stream::of_case(1, index);
         for _ in 0..200 {
-            // Powers up to 44 do not fit into f64 far beyond these units, nor into f32 beyond metres for a millimetre.
+            // Powers up to the 44th leave f64 where units are much larger or smaller, and f32 beyond those below.
             let unit = stream.magnitude(-3.0, 3.0);
             let coefficients = kind.coefficients(&mut stream, unit);
             let load_integral = stream.magnitude(-6.0, 6.0) * unit.powi(5);
@@ -169,7 +169,7 @@ fn a_plane_is_a_sphere_of_infinite_radius() {
             let found = Hip { head, socket: f64::INFINITY }.radius(load_integral);
             let terms = [(0.5 / head, 2.0), (0.125 / (head * head * head), 4.0)];
             let error = ulps(found.unwrap_or(f64::NAN), exact_radius(&terms, load_integral), f64::EPSILON);
-            // The coefficients are rounded by up to 3 ε in all, of which the radius takes an eighth at least.
+            // The coefficients are rounded by up to 3 ε in all, of which the radius takes a sixth at most.
             assert!(error <= 2.0, "{head}, {load_integral}: {error} ulp");
         }
     }
