@@ -1,16 +1,15 @@
 //! The annotated struct -> [`Item`]: what its fields may stand for in a profile.
 
-use proc_macro2::{Delimiter, Ident, Span, TokenStream, TokenTree};
-use quote::quote;
-
 use crate::diagnostics::{Diagnostics, Extent};
 use crate::reading::declaration::Declaration;
 use crate::reading::field::{Field, FieldKind, condition, kind, named};
 use crate::reading::generics::Generics;
+use crate::reading::lints;
 use crate::reading::name::{is_keyword, is_same, unraw};
 use crate::reading::similar::{closest, collect_names, known_number};
 use crate::reading::slips::is_times;
 use crate::reading::{between_commas, is_punct, ungrouped, unit};
+use proc_macro2::{Delimiter, Ident, Span, TokenStream, TokenTree};
 
 /// The struct that a profile is attached to.
 pub(crate) struct Item {
@@ -57,31 +56,6 @@ fn is_gap_profile(pair: &[TokenTree]) -> bool {
     hash.as_char() == '#' && names.last().is_some_and(|name| name.to_string() == "gap_profile")
 }
 
-/// The attributes before an item that allow something, or expect something that generated code need not repeat.
-fn allowed(mut tokens: &[TokenTree]) -> TokenStream {
-    let mut allowed = TokenStream::new();
-    while let [hash, TokenTree::Group(attribute), rest @ ..] = tokens
-        && is_punct(hash, '#')
-    {
-        if let [TokenTree::Ident(name), TokenTree::Group(lints)] = ungrouped(attribute.stream()).as_slice()
-            && (name == "allow" || name == "expect")
-        {
-            let lints: Vec<TokenTree> = lints.stream().into_iter().collect();
-            let lints = between_commas(&lints).into_iter().filter(|lint| !is_of_use(lint));
-            let lints = lints.map(|lint| quote!(#(#lint)*));
-            allowed.extend(quote!(#[allow(#(#lints),*)]));
-        }
-        tokens = rest;
-    }
-    allowed
-}
-
-/// Whether a lint asks if a program uses something. Generated code that allows it counts as use: the struct would never
-/// be found unused.
-fn is_of_use(lint: &[TokenTree]) -> bool {
-    matches!(lint, [TokenTree::Ident(name)] if name == "dead_code" || name == "unused")
-}
-
 /// Reads the annotated item. If a profile cannot be attached, the fault is reported; an item that still has a name and
 /// generics is returned nonetheless, for its stub.
 pub(crate) fn parse(input: TokenStream, diagnostics: &mut Diagnostics) -> Option<Item> {
@@ -108,7 +82,7 @@ pub(crate) fn parse(input: TokenStream, diagnostics: &mut Diagnostics) -> Option
         diagnostics.report(ident.span(), message);
         return None;
     }
-    let (has_known_fields, allowed) = (keyword == "struct", allowed(&tokens));
+    let (has_known_fields, allowed) = (keyword == "struct", lints::allowed(&tokens));
     let mut item =
         Item { ident, generics, allowed, fields: Vec::new(), others: Vec::new(), has_known_fields };
     if keyword == "enum" {
@@ -217,7 +191,7 @@ fn has_other_meaning(name: &Ident) -> bool {
 mod tests {
     #![expect(clippy::unwrap_used, reason = "a test stops at the first surprise")]
     use proc_macro2::Group;
-    use quote::format_ident;
+    use quote::{format_ident, quote};
 
     use super::*;
 
@@ -256,19 +230,6 @@ mod tests {
             let (item, _) = item(quote!(struct Ball { c: #ty }));
             assert!(matches!(item.unwrap().meaning(&format_ident!("c")), Meaning::WrongType(_)), "{ty}");
         }
-    }
-
-    #[test]
-    fn what_the_struct_allows_is_repeated() {
-        let (item, _) = item(quote! {
-            #[doc = "A ball."]
-            #[allow(non_snake_case, reason = "as printed")]
-            #[expect(dead_code, deprecated)]
-            #[must_use]
-            struct Ball { R: f64 }
-        });
-        let expected = quote!(#[allow(non_snake_case, reason = "as printed")] #[allow(deprecated)]);
-        assert_eq!(item.unwrap().allowed.to_string(), expected.to_string());
     }
 
     #[test]

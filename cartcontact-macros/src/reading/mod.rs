@@ -4,7 +4,7 @@
 //! |---|---|
 //! | the attribute | `attribute`, `entry` by entry: options, `bodies`, `positive`, `crate_path` |
 //! | an expression | `parse` by the grammar in `syntax`; `literal`, `call` |
-//! | the annotated struct | `item`: `declaration`, `field`, `generics`, `name` |
+//! | the annotated struct | `item`: `declaration`, `field`, `generics`, `lints`, `name` |
 //! | what was meant by what is wrong | `slips`, `divisor`, `comparison`, `similar`, `unit`, `unknown`, `wrong_arguments` |
 
 pub(crate) mod attribute;
@@ -18,6 +18,7 @@ mod entry;
 pub(crate) mod field;
 pub(crate) mod generics;
 pub(crate) mod item;
+mod lints;
 pub(crate) mod literal;
 pub(crate) mod name;
 pub(crate) mod parse;
