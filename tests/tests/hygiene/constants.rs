@@ -9,9 +9,10 @@ macro_rules! constants {
 }
 
 constants! {
-    r a s x c0 c1 c2 j0 j1 value values value0 first0 half_second0 base power scale depth slope log_slope limit end more
-    lost units places error profile radii load_integral load_integrals inverse_radius of_quarter2 coefficients
-    precise_coefficients steepness quick_steepness last_steepness field_R field_k TABLE FAULTS FUSED R k
+    r a s x c0 c1 c2 j0 j1 value values value0 first0 half_second0 base half square power scale depth slope log_slope
+    limit more lost places profile radii load_integral load_integrals inverse_R inverse_k of_quarter2 coefficients
+    precise_coefficients steepness quick_steepness last_steepness field_R field_k TABLE CURVES CURVES_OF_SINGLE SPANS
+    FAULTS FUSED R k
 }
 
 /// Needs Newton's method, a range and powers of fields.
