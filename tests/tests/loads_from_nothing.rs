@@ -10,7 +10,7 @@ use cartcontact::{ContactError, Scalar};
 use tests::budget;
 use tests::condition::edge;
 use tests::joint::joint;
-use tests::loads::{CountingForces, Unannounced, through};
+use tests::loads::{Announced, CountingForces, Unannounced, through};
 use tests::measure::Errors;
 use tests::profiles::Patellofemoral;
 
@@ -124,6 +124,33 @@ fn a_load_may_begin_late() -> Result<(), ContactError> {
     // The times are rounded by 1e-16 of 101 s, which is at first a large share of the time since the knot.
     assert_near(peak(101.0, CHI, root, 100.0)?, 1.694_338_650_692_070_5, 1e-12);
     assert_eq!(peak(99.0, CHI, root, 100.0)?, 0.0);
+    Ok(())
+}
+
+/// The peaks under a ramp of 10 s that begins late, followed step by step and as the straight load that it is.
+fn peaks_of_late_ramp<T: Scalar>(start: f64, later: f64) -> Result<[f64; 2], ContactError> {
+    let knots = [(0.0, 0.0), (start, 0.0), (start + 10.0, 100.0)];
+    let straight = through(&knots.map(|(t, force)| (T::constant(t), T::constant(force))));
+    let in_steps = Announced { load: &straight, is_linear: false };
+    let peak = |load: &dyn Load<T>| -> Result<f64, ContactError> {
+        let contact = joint(Patellofemoral, 0.0015, load);
+        Ok(contact.at(T::constant(start + later))?.peak_pressure().value())
+    };
+    Ok([peak(&in_steps)?, peak(&straight)?])
+}
+
+/// After so long a time the nodes of a step lie beside the times at which forces are taken.
+#[test]
+fn late_ramps_are_as_exact_as_straight_loads() -> Result<(), ContactError> {
+    for later in [1e-3, 0.03125, 0.125, 1.0, 10.0, 100.0, 500.0] {
+        let [found, expected] = peaks_of_late_ramp::<f64>(1e8, later)?;
+        assert_near(found, expected, 2.0 * PEAK_PRESSURE);
+    }
+    // Here a second has 128 numbers.
+    for later in [1.0, 5.0, 10.0, 100.0, 500.0] {
+        let [found, expected] = peaks_of_late_ramp::<f32>(1e5, later)?;
+        assert_near(found, expected, 2.0 * budget::PEAK_PRESSURE.single * f64::from(f32::EPSILON));
+    }
     Ok(())
 }
 

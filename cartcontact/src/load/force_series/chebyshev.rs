@@ -61,6 +61,11 @@ pub(super) fn interpolate<T: Scalar>(values: &Coefficients<T>) -> Coefficients<T
     coefficients
 }
 
+/// Σ|cₖ| over the last three: if coefficients fall, more than all that they leave out.
+pub(super) fn left_out<T: Scalar>(coefficients: &Coefficients<T>) -> T {
+    coefficients[DEGREE - 2..].iter().fold(T::zero(), |sum, c| sum + c.abs())
+}
+
 /// How many coefficients there are up to the last one that is not negligible.
 pub(super) fn length_above<T: Scalar>(coefficients: &[T], negligible: T) -> usize {
     coefficients.iter().rposition(|c| c.abs() > negligible).map_or(1, |last| last + 1)

@@ -21,14 +21,15 @@
 
 mod age;
 mod chebyshev;
+mod rounded_times;
 
 use super::Load;
 use super::rounding::{is_force, rounding_within_load};
 use crate::Scalar;
 use chebyshev::{
-    Coefficients, DEGREE, abscissa, derivative, interpolate, leave_out, length_above, mean_to_the_end,
-    sums_at,
+    Coefficients, DEGREE, abscissa, derivative, leave_out, left_out, length_above, mean_to_the_end, sums_at,
 };
+use rounded_times::interpolate_at_rounded;
 
 /// The force during a step, and what follows from it.
 pub(crate) struct ForceSeries<T> {
@@ -43,6 +44,8 @@ pub(crate) struct ForceSeries<T> {
     size: T,
     /// Σ|cₖ| over the last three: if coefficients fall, more than all that the series leaves out.
     rest: T,
+    /// The same of the series through the forces at unrounded times, by which an impulse may be off.
+    rest_at_nodes: T,
     /// How many coefficients are more than rounding.
     length: usize,
     /// The series of the force minus that at the end.
@@ -76,14 +79,27 @@ impl<T: Scalar> ForceSeries<T> {
             if time < end { load.force(time) } else { load.force_before(end) }
         });
         let size = largest(&forces);
-        let mut variation = interpolate(&forces.map(|force| force - forces[0]));
-        let rest = variation[DEGREE - 2..].iter().fold(T::zero(), |rest, c| rest + c.abs());
+        let (mut variation, rest_at_nodes) =
+            interpolate_at_rounded(&forces.map(|force| force - forces[0]), (start, end));
+        let rest = left_out(&variation);
         // The rounding of the largest force.
         let length = length_above(&variation, size * T::default_epsilon() * T::constant(0.5));
         let length = leave_out(&mut variation, length);
         let none = [T::zero(); DEGREE + 1];
         let folds = chi * duration;
-        Self { end, duration, folds, forces, size, rest, length, variation, growth: none, mean_growth: none }
+        Self {
+            end,
+            duration,
+            folds,
+            forces,
+            size,
+            rest,
+            rest_at_nodes,
+            length,
+            variation,
+            growth: none,
+            mean_growth: none,
+        }
     }
 
     /// Leaves out the coefficients that are noise.
@@ -155,7 +171,7 @@ impl<T: Scalar> ForceSeries<T> {
         let even = self.variation.iter().step_by(2).zip((0_u16..).step_by(2));
         let means = even.map(|(&c, k)| c / (T::one() - T::constant(f64::from(k * k))));
         let mean = self.last() + means.fold(T::zero(), |sum, c| sum + c);
-        (self.duration * mean, self.duration * self.rest)
+        (self.duration * mean, self.duration * self.rest_at_nodes)
     }
 
     /// Whether the load has another impulse over the step, by more than rounding: the nodes then miss what it does
