@@ -154,6 +154,20 @@ fn late_ramps_are_as_exact_as_straight_loads() -> Result<(), ContactError> {
     Ok(())
 }
 
+/// A step of so few numbers drains for as long as these are apart, and not as the nodes are.
+#[test]
+fn late_falls_may_be_followed_from_number_to_number() {
+    let start = 4e10_f64;
+    let fallen = 100.0 / (1.0 + 0.9 * 0.0015 * 100.0);
+    let load = through(&[(0.0, 0.0), (start, 0.0), (start, 100.0), (start + 100.0, fallen)]);
+    let contact = joint(Patellofemoral, 0.0015, Announced { load, is_linear: false });
+    let mut t = start;
+    for _ in 0..300 {
+        t = t.next_up();
+        assert!(contact.at(t).is_ok(), "{t}");
+    }
+}
+
 /// Logistic rises, of which the forces underflow at first.
 #[test]
 fn a_load_may_come_out_of_an_underflow() -> Result<(), ContactError> {

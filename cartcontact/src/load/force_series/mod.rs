@@ -236,13 +236,13 @@ impl<T: Scalar> ForceSeries<T> {
 
     /// By how much the hereditary load grows from each node to the end.
     ///
-    /// The forces at the nodes are taken as they are, so that a jump between nodes, which spoils the series, affects
-    /// only what drains.
+    /// The forces at the nodes are taken as they are, each with its rounded time, so that a jump between nodes, which
+    /// spoils the series, affects only what drains.
     pub(in crate::load) fn growth_since_nodes(&self) -> Coefficients<T> {
         let mean = mean_to_the_end(&self.variation[..self.length]);
         core::array::from_fn(|node| {
             let x = abscissa(node);
-            let since = self.folds * (T::one() - x) * T::constant(0.5);
+            let since = self.folds * ((self.end - self.time(node)) / self.duration);
             let [mean] = sums_at([&mean[..self.length]], x);
             (self.last() - self.forces[node]) + since * (self.last() + mean)
         })
