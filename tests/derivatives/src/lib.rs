@@ -1,4 +1,21 @@
-//! Derivatives by differences of values on one side, which the tests compare those of dual numbers with.
+//! Derivatives by differences of values on one side, which the tests compare those of dual numbers with, and how exact
+//! these are.
+
+use tests::budget;
+use tests::measure::relative_error;
+
+/// In ε: a derivative has no entry in the table, and is allowed as much as two pressures; the worst is 2.8 ε off.
+pub const SLOPE: f64 = 2.0 * budget::PRESSURE.double;
+
+/// Asserts that a number is off by no more than `allowed` ε.
+///
+/// # Panics
+///
+/// If it is.
+pub fn assert_close(found: f64, expected: f64, allowed: f64) {
+    let error = relative_error(found, expected, f64::EPSILON);
+    assert!(error <= allowed, "{found} instead of {expected}, {error:.2} of {allowed} ε");
+}
 
 /// The first derivative where the first of five values was taken, to fourth order in the `step` between them.
 #[must_use]

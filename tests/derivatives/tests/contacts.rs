@@ -4,6 +4,7 @@ use core::f64::consts::PI;
 
 use cartcontact::load::{Constant, Load, PiecewiseLinear};
 use cartcontact::{Contact, ContactError, GapProfile, Layer, Medium, Polynomial, Scalar, gap_profile};
+use derivatives::{SLOPE, assert_close};
 use num_dual::{Dual3_64, Dual32, Dual64};
 use tests::budget;
 use tests::condition::edge;
@@ -30,8 +31,6 @@ fn slope(f: impl Fn(f64) -> f64, x: f64, h: f64) -> f64 {
     (8.0 * (f(x + h) - f(x - h)) - (f(x + 2.0 * h) - f(x - 2.0 * h))) / (12.0 * h)
 }
 
-/// In ε: a derivative has no entry in the table, and is allowed as much as two pressures; the worst here is 2.8 ε off.
-const SLOPE: f64 = 2.0 * budget::PRESSURE.double;
 /// In ε: how much differences over steps of a thousandth of x are off, whose 3/2 over the step multiplies results off by
 /// a few ε each; the worst here is 4.5e-12, twenty thousand.
 const DIFFERENCES: f64 = 1e-11 / f64::EPSILON;
@@ -40,12 +39,6 @@ const DIFFERENCES: f64 = 1e-11 / f64::EPSILON;
 const DIFFERENCES_FROM_NOTHING: f64 = 1e-12;
 /// In ε: the sixth root of a quotient by `powf`, and a product with it.
 const CLOSED_FORM: f64 = 4.0;
-
-/// Asserts that a number is off by no more than `allowed` ε.
-fn assert_close(found: f64, expected: f64, allowed: f64) {
-    let error = relative_error(found, expected, f64::EPSILON);
-    assert!(error <= allowed, "{found} instead of {expected}, {error:.2} of {allowed} ε");
-}
 
 /// Compares radius, approach and pressure at 3 mm with those of plain numbers.
 fn assert_same(dual: [Dual64; 3], plain: [f64; 3]) {

@@ -4,32 +4,24 @@ use core::f64::consts::PI;
 
 use cartcontact::Snapshot;
 use cartcontact::load::{Constant, Load};
+use derivatives::{SLOPE, assert_close};
 use num_dual::Dual2_64;
 use tests::budget;
 use tests::condition::edge;
 use tests::joint::joint;
 use tests::loads::{Announced, Knots, through};
-use tests::measure::relative_error;
 use tests::profiles::Blunt;
 
 type Failure = Box<dyn core::error::Error>;
 
 const CHI: f64 = 0.0015;
 
-/// In ε: a derivative has no entry in the table, and is allowed as much as two pressures; the worst here is 2.8 ε off.
-const SLOPE: f64 = 2.0 * budget::PRESSURE.double;
 /// In ε of the terms that cancel: so many for a second one; the worst here is 6.3 ε off.
 const CURVATURE: f64 = 2.0 * SLOPE;
 
 /// x with the derivative 1.
 fn variable(x: f64) -> Dual2_64 {
     Dual2_64::from(x).derivative()
-}
-
-/// Asserts that a number is off by no more than `allowed` ε.
-fn assert_close(found: f64, expected: f64, allowed: f64) {
-    let error = relative_error(found, expected, f64::EPSILON);
-    assert!(error <= allowed, "{found} instead of {expected}, {error:.2} of {allowed} ε");
 }
 
 /// A rise, a slower one, a hold, a step and a fall.
