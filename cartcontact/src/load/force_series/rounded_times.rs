@@ -15,6 +15,10 @@ const LONG_HISTORY: f64 = 16_384.0;
 /// 50 000 numbers. A smooth force has smaller slopes, so that shorter steps have few digits to lose, too.
 const ROUNDS: usize = 8;
 
+/// In a step of so many numbers or fewer, several nodes share a time. Between its ends the force is taken for straight:
+/// what it does in between may as well be the rounding of its argument.
+const FEW_NUMBERS: f64 = 32.0;
+
 /// The polynomial through values at the nodes of a step between two times, each at the rounded time of its node, and
 /// what the polynomial through them at the nodes themselves [leaves out](left_out).
 pub(super) fn interpolate_at_rounded<T: Scalar>(
@@ -25,6 +29,9 @@ pub(super) fn interpolate_at_rounded<T: Scalar>(
     let rest = left_out(&at_nodes);
     if end < (end - start) * T::constant(LONG_HISTORY) {
         return (at_nodes, rest);
+    }
+    if end - start <= end * T::default_epsilon() * T::constant(FEW_NUMBERS) {
+        return (line_between_ends(values), T::zero());
     }
     let shifts = shifts_by_rounding((start, end));
     let mut shifted = at_nodes;
@@ -37,6 +44,13 @@ pub(super) fn interpolate_at_rounded<T: Scalar>(
     }
     // Jumps, and forces that are all rounding, are no smoother at other places; nor is a sum that grows.
     (if left_out(&shifted) * T::constant(8.0) < rest { shifted } else { at_nodes }, rest)
+}
+
+fn line_between_ends<T: Scalar>(values: &Coefficients<T>) -> Coefficients<T> {
+    let (end, start) = (values[0], values[DEGREE]);
+    let mut line = [T::zero(); DEGREE + 1];
+    [line[0], line[1]] = [end + start, end - start].map(|c| c * T::constant(0.5));
+    line
 }
 
 /// By how much the node is later than the time to which it is rounded, in ξ.
@@ -89,5 +103,14 @@ mod tests {
                 assert!((c - exact).abs() < 8.0 * f64::EPSILON * d, "{c}, {exact} in {duration}");
             }
         }
+    }
+
+    #[test]
+    fn steps_of_few_numbers_are_straight() {
+        let start = 1e8;
+        let end = start + 4.0 * f64::EPSILON * start;
+        let series = ForceSeries::between(&Late(start), (start, end), 0.02);
+        let [last, first] = [series.last(), series.forces[ForceSeries::<f64>::START]];
+        assert_eq!(series.variation[..3], [(first - last) * 0.5, (last - first) * 0.5, 0.0]);
     }
 }
