@@ -1,5 +1,5 @@
 //! User-defined loads that are zero, or the rounding of something, for a while before they rise: next to zero neither
-//! forces nor impulses have digits, and nothing is covered. The pressures are compared with 30-digit integrals of
+//! forces nor impulses have digits, and nothing is covered. The pressures are compared with 25-digit integrals of
 //! Eq. (28) from `reference/loads_from_nothing.py`.
 
 use core::cell::Cell;

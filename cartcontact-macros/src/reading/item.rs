@@ -1,5 +1,7 @@
 //! The annotated struct -> [`Item`]: what its fields may stand for in a profile.
 
+use proc_macro2::{Delimiter, Ident, Span, TokenStream, TokenTree};
+
 use crate::diagnostics::{Diagnostics, Extent};
 use crate::reading::declaration::Declaration;
 use crate::reading::field::{Field, FieldKind, condition, kind, named};
@@ -9,7 +11,6 @@ use crate::reading::name::{is_keyword, is_same, unraw};
 use crate::reading::similar::{closest, collect_names, known_number};
 use crate::reading::slips::is_times;
 use crate::reading::{between_commas, is_punct, ungrouped, unit};
-use proc_macro2::{Delimiter, Ident, Span, TokenStream, TokenTree};
 
 /// The struct that a profile is attached to.
 pub(crate) struct Item {

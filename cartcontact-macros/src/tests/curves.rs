@@ -107,7 +107,8 @@ fn curves_cover_what_seeds_cover() {
 /// Beyond the radius where this gap hardly opens, the first two shares add up to less than −1.
 #[test]
 fn sums_of_shares_may_leave_the_range_of_numbers_in_between() {
-    let _ = start("0.10501 * r^1.5 - 69/110 * r^(11/6) + 25/26 * r^(13/6)");
+    let (_, start) = start("0.10501 * r^1.5 - 69/110 * r^(11/6) + 25/26 * r^(13/6)");
+    assert!(matches!(start, Some(Start::Seeds(_))));
 }
 
 #[test]

@@ -263,7 +263,8 @@ fn third_derivatives_are_the_slopes_of_second_ones() -> Result<(), Failure> {
         };
         let (chi, dual) = (0.0015, peak(0.0015)?);
         let expected = slope(|chi| peak(chi).map_or(f64::NAN, |peak| peak.v2), chi, 1e-2 * chi);
-        assert!((dual.v3 / expected - 1.0).abs() < 1e-5, "{t}: {dual} instead of {expected}");
+        // Differences over hundredths miss the slope by the fourth power of these; the worst is off by 2.1e-7.
+        assert!((dual.v3 / expected - 1.0).abs() < 1e-6, "{t}: {dual} instead of {expected}");
     }
     Ok(())
 }

@@ -95,14 +95,15 @@ fn radii_are_not_wrong_where_the_slope_overflows() {
 #[gap_profile(1e15 * r + 1e-15 * r^64)]
 struct Steep;
 
-/// The search ends with an interval of ε; the error of J, ε times half its degree, may move it by another ε/2.
+/// The search ends with an interval of ε; the error of J, ε times half its degree, may move it by another ε/2. An ε is up
+/// to 2 ulp.
 #[test]
 fn radii_are_halved_to_where_the_slope_overflows() {
     for load_integral in [5.281_584_5e36, 2.355_637_6e37, 6.120_69e37, 9.029_46e37_f32] {
         let (single, double) = (Steep.radius(load_integral), Steep.radius(f64::from(load_integral)));
         let (single, double) = (single.map_or(f64::NAN, f64::from), double.unwrap_or(f64::NAN));
         let error = ulps(single, double.into(), f64::from(f32::EPSILON));
-        assert!(error <= 4.0, "{load_integral:e}: {error} ulp");
+        assert!(error <= 3.0, "{load_integral:e}: {error} ulp");
     }
 }
 
