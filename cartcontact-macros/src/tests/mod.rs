@@ -39,6 +39,12 @@ pub(crate) fn run(attribute: TokenStream, item: TokenStream) -> Result<Geometry,
     if diagnostics.is_empty() { Ok(geometry.unwrap()) } else { Err(diagnostics.messages()) }
 }
 
+/// Asserts that reading an attribute reports one fault, whose message contains the `rule`.
+fn assert_only_fault<T>(text: &str, read: Result<T, Vec<String>>, rule: &str) {
+    let messages = read.err().unwrap();
+    assert!(messages.len() == 1 && messages[0].contains(rule), "{text}: {messages:?}");
+}
+
 fn on_unit(text: &str) -> Result<Geometry, Vec<String>> {
     run(
         text.parse().unwrap(),
@@ -104,8 +110,7 @@ fn fields_are_symbols() {
         ("(r + radius*(1 + radius))^2", "write `- radius^2 * (1 + radius)^2` behind"),
         ("2*(r^2 + radius - 1)", "behind"),
     ] {
-        let messages = on_ball(text).err().unwrap();
-        assert!(messages.len() == 1 && messages[0].contains(rule), "{text}: {messages:?}");
+        assert_only_fault(text, on_ball(text), rule);
     }
     assert!(
         on_ball("r^2/(radius - radius)").err().unwrap().iter().any(|message| message.contains("divisor"))
@@ -183,8 +188,7 @@ fn signs_of_positive_fields_are_known() {
         ("r^2, positive = radius", "does not depend on `radius`"),
         ("r^2, positive", "depends on no field"),
     ] {
-        let messages = proof(text).err().unwrap();
-        assert!(messages.len() == 1 && messages[0].contains(rule), "{text}: {messages:?}");
+        assert_only_fault(text, proof(text), rule);
     }
 }
 

@@ -1,6 +1,6 @@
 //! Messages about attributes that are not written as such: what is likely to be meant is named.
 
-use super::{on_ball, on_unit};
+use super::{assert_only_fault, on_ball, on_unit};
 
 #[test]
 fn likely_slips_are_understood() {
@@ -218,8 +218,7 @@ fn likely_slips_are_understood() {
         ("r^2/(2*R)", "write a number or a field of `Ball`"),
         ("r^2, max_radius = R", "write a number or a field of `Ball`"),
     ] {
-        let messages = on_ball(text).err().unwrap();
-        assert!(messages.len() == 1 && messages[0].contains(rule), "{text}: {messages:?}");
+        assert_only_fault(text, on_ball(text), rule);
     }
 }
 
