@@ -68,22 +68,12 @@ pub(super) fn arguments(tokens: &[TokenTree]) -> Vec<&[TokenTree]> {
     arguments
 }
 
-/// Functions that a sum of powers can stand for.
-const SERIES: [&str; 9] = ["exp", "sin", "cos", "tan", "sinh", "cosh", "tanh", "ln", "log"];
-
 fn not_a_surface(name: &str) -> String {
     if let Some(meant) = other_shape(name) {
         return format!("`{name}` is not among the surfaces; {meant}");
     }
-    if name.eq_ignore_ascii_case("sqrt") {
-        return format!(
-            "a gap has no functions such as `{name}`; write `sphere(R)` for R - sqrt(R^2 - r^2), and `r^0.5` for a root"
-        );
-    }
-    if SERIES.contains(&name) {
-        return format!(
-            "a gap has no functions such as `{name}`; write the first terms of its series, a sum of powers of r"
-        );
+    if let Some(instead) = instead_of_function(name) {
+        return format!("a gap has no functions such as `{name}`; write {instead}");
     }
     match closest(name, vec!["sphere".to_owned(), "conic".to_owned()]) {
         Some(surface) if surface != name => format!("`{name}` is not a surface; did you mean `{surface}`?"),
@@ -92,6 +82,15 @@ fn not_a_surface(name: &str) -> String {
              product write `*`"
         ),
     }
+}
+
+/// What stands for a function in a gap.
+fn instead_of_function(name: &str) -> Option<&'static str> {
+    if name.eq_ignore_ascii_case("sqrt") {
+        return Some("`sphere(R)` for R - sqrt(R^2 - r^2), and `r^0.5` for a root");
+    }
+    let has_series = ["exp", "sin", "cos", "tan", "sinh", "cosh", "tanh", "ln", "log"].contains(&name);
+    has_series.then_some("the first terms of its series, a sum of powers of r")
 }
 
 /// What to say about another shape that a bone may have.
