@@ -94,18 +94,16 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
     /// Continues to the end. The time of a knot there, or that of the start, need not have the derivatives of the time
     /// asked for: what lies between the two takes no time, but may have derivatives.
     fn advance(&mut self) {
-        let (contact, end) = (self.contact, (self.end.time, self.force_at_end));
-        let Some(time) = same_time_before(contact.load(), self.now.time, end.0) else {
+        let (contact, end, force_at_end) = (self.contact, self.end, self.force_at_end);
+        let Some(time) = same_time_before(contact.load(), self.now.time, end.time) else {
             return self.advance_along_load();
         };
-        let edge = self.end;
         let loading = contact.loading(time);
-        let radius = contact.radius_under_loading(loading).unwrap_or(edge.radius);
-        self.end = Edge { time, radius: with_value(edge.radius, radius) };
-        self.force_at_end = loading.force;
+        let radius = with_value(end.radius, contact.radius_under_loading(loading).unwrap_or(end.radius));
+        (self.end, self.force_at_end) = (Edge { time, radius }, loading.force);
         self.advance_along_load();
-        (self.end, self.force_at_end) = (edge, end.1);
-        self.advance_straight(Piece { start: (time, loading.force), end });
+        (self.end, self.force_at_end) = (end, force_at_end);
+        self.advance_straight(Piece { start: (time, loading.force), end: (end.time, force_at_end) });
     }
 
     /// Continues to the end along the load.
