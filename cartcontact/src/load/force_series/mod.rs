@@ -42,9 +42,9 @@ pub(crate) struct ForceSeries<T> {
     forces: Coefficients<T>,
     /// The size of the largest force.
     size: T,
-    /// Σ|cₖ| over the last three: if coefficients fall, more than all that the series leaves out.
+    /// What the series [leaves out](left_out).
     rest: T,
-    /// The same of the series through the forces at unrounded times, by which an impulse may be off.
+    /// What it would leave out if times were not rounded at the nodes: by so much an impulse may be off.
     rest_at_nodes: T,
     /// How many coefficients are more than rounding.
     length: usize,
@@ -72,15 +72,14 @@ impl<T: Scalar> ForceSeries<T> {
 
     fn through_forces<L: Load<T> + ?Sized>(load: &L, (start, end): (T, T), chi: T) -> Self {
         let duration = end - start;
-        let forces = core::array::from_fn(|place| {
-            let before_end = duration * (T::one() - abscissa(place)) * T::constant(0.5);
-            // Exactly the start: the duration is rounded, and a little earlier the load may be another.
-            let time = if place == Self::START { start } else { end - before_end };
-            if time < end { load.force(time) } else { load.force_before(end) }
+        // Exactly the start: the duration is rounded, and a little earlier the load may be another.
+        let times = core::array::from_fn(|place| {
+            if place == Self::START { start } else { time_at(abscissa(place), (duration, end)) }
         });
+        let forces = times.map(|time| if time < end { load.force(time) } else { load.force_before(end) });
         let size = largest(&forces);
         let (mut variation, rest_at_nodes) =
-            interpolate_at_rounded(&forces.map(|force| force - forces[0]), (start, end));
+            interpolate_at_rounded(&forces.map(|force| force - forces[0]), &times);
         let rest = left_out(&variation);
         // The rounding of the largest force.
         let length = length_above(&variation, size * T::default_epsilon() * T::constant(0.5));
@@ -272,11 +271,7 @@ impl<T: Scalar> ForceSeries<T> {
 
     /// The time of a node.
     pub(in crate::load) fn time(&self, node: usize) -> T {
-        self.time_at(abscissa(node))
-    }
-
-    fn time_at(&self, x: T) -> T {
-        self.end - self.duration * (T::one() - x) * T::constant(0.5)
+        time_at(abscissa(node), (self.duration, self.end))
     }
 
     /// The time at which the hereditary load turns, next to the node at which it is highest.
@@ -293,7 +288,7 @@ impl<T: Scalar> ForceSeries<T> {
                 falling = middle;
             }
         }
-        self.time_at(rising)
+        time_at(rising, (self.duration, self.end))
     }
 
     /// Whether the series leaves out more than rounding.
@@ -312,6 +307,11 @@ impl<T: Scalar> ForceSeries<T> {
     fn growth_at(&self, x: T) -> [T; 2] {
         sums_at([&self.growth[..self.length], &self.mean_growth[..self.length]], x)
     }
+}
+
+/// The time at ξ in a step of a duration up to an end.
+fn time_at<T: Scalar>(x: T, (duration, end): (T, T)) -> T {
+    end - duration * (T::one() - x) * T::constant(0.5)
 }
 
 /// The largest magnitude among some numbers.

@@ -19,21 +19,22 @@ const ROUNDS: usize = 8;
 /// what it does in between may as well be the rounding of its argument.
 const FEW_NUMBERS: f64 = 32.0;
 
-/// The polynomial through values at the nodes of a step between two times, each at the rounded time of its node, and
-/// what the polynomial through them at the nodes themselves [leaves out](left_out).
+/// The polynomial through values at the rounded times of the nodes of a step, and what the polynomial through them at
+/// the nodes themselves [leaves out](left_out).
 pub(super) fn interpolate_at_rounded<T: Scalar>(
     values: &Coefficients<T>,
-    (start, end): (T, T),
+    times: &Coefficients<T>,
 ) -> (Coefficients<T>, T) {
     let at_nodes = interpolate(values);
     let rest = left_out(&at_nodes);
+    let (start, end) = (times[DEGREE], times[0]);
     if end < (end - start) * T::constant(LONG_HISTORY) {
         return (at_nodes, rest);
     }
     if end - start <= end * T::default_epsilon() * T::constant(FEW_NUMBERS) {
         return (line_between_ends(values), T::zero());
     }
-    let shifts = shifts_by_rounding((start, end));
+    let shifts = shifts_by_rounding(times);
     let mut shifted = at_nodes;
     for _ in 0..ROUNDS {
         let slope = derivative(&shifted);
@@ -53,17 +54,11 @@ fn line_between_ends<T: Scalar>(values: &Coefficients<T>) -> Coefficients<T> {
     line
 }
 
-/// By how much the node is later than the time to which it is rounded, in ξ.
-fn shifts_by_rounding<T: Scalar>((start, end): (T, T)) -> Coefficients<T> {
+/// By how much each node is later than its rounded time, in ξ.
+fn shifts_by_rounding<T: Scalar>(times: &Coefficients<T>) -> Coefficients<T> {
+    let (start, end) = (times[DEGREE], times[0]);
     let half = (end - start) * T::constant(0.5);
-    core::array::from_fn(|place| {
-        // The start is exact.
-        if place == DEGREE {
-            return T::zero();
-        }
-        let before_end = half * (T::one() - abscissa(place));
-        ((end - (end - before_end)) - before_end) / half
-    })
+    core::array::from_fn(|place| ((end - times[place]) - half * (T::one() - abscissa(place))) / half)
 }
 
 #[cfg(test)]
